@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rebound {
+
+/// An axisymmetric mesh in the (r, z) half-plane: quadrilaterals, and the
+/// boundary edges of the named groups. Plate at z = 0, axis at r = 0.
+struct Mesh {
+  std::vector<std::array<double, 2>> vertices;   ///< (r, z) [m]
+  std::vector<std::array<int, 4>> cells;         ///< counter-clockwise vertex numbers
+  std::vector<std::array<int, 2>> axis_edges;    ///< group "axis"
+  std::vector<std::array<int, 2>> contact_edges; ///< group "contact": may touch the plate
+};
+
+/// Half-disc of a sphere resting on the plate, cells graded to the contact.
+struct SphereMeshRequest {
+  double radius = 0.0;          ///< [m]
+  int cells = 1000;             ///< about
+  double contact_radius = 0.0;  ///< expected largest contact radius [m]; 0: half the sphere's
+  double grading = 4.0;         ///< far cell size over contact cell size, >= 1
+};
+
+/// Shape figures of a mesh; the solver refuses a mesh whose worst Jacobian is not positive.
+struct MeshQuality {
+  int cells = 0;
+  int vertices = 0;
+  double smallest_edge = 0.0;            ///< [m]
+  double largest_edge = 0.0;             ///< [m]
+  double worst_scaled_jacobian = 0.0;    ///< 1 for a rectangle, <= 0 inverted
+  double volume = 0.0;                   ///< of the body of revolution [m³]
+  double contact_edge_length = 0.0;      ///< mean length of contact edges near the plate [m]
+};
+
+}  // namespace rebound

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lumped/problem/fem_problem.hpp"
+#include "lumped/problem/mesh.hpp"
+#include "lumped/problem/result.hpp"
+#include "lumped/problem/run_control.hpp"
+
+
+/// The narrow interfaces of the two modules that are loaded on first use,
+/// so that the program itself links no deal.II, no Gmsh and no MPI.
+namespace rebound {
+
+/// Module "rebound_fem": one FE impact on a given mesh.
+class FemTier {
+ public:
+  virtual ~FemTier() = default;
+
+  /// Runs the impact. Interruption returns a result marked incomplete;
+  /// a solver failure does the same, so that what was known can be written.
+  /// Errors: Error(bad_input) for a problem or mesh outside the tier's range.
+  virtual FemResult simulate(const FemProblem& problem, const Mesh& mesh,
+                             const RunControl& control) const = 0;
+
+  /// Versions of what the module was built with, for provenance.
+  virtual std::string versions() const = 0;
+};
+
+/// Module "rebound_mesh": meshes through the Gmsh API.
+class MeshGenerator {
+ public:
+  virtual ~MeshGenerator() = default;
+  virtual Mesh sphere(const SphereMeshRequest& request) const = 0;
+  virtual std::string versions() const = 0;
+};
+
+/// Names and types of the entry points: `extern "C"` functions without
+/// arguments that return an object living as long as the module.
+inline constexpr const char* fem_entry_point = "rebound_fem_tier";
+inline constexpr const char* mesh_entry_point = "rebound_mesh_generator";
+
+}  // namespace rebound

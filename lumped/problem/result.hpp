@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lumped/problem/impact.hpp"
+#include "lumped/problem/trace.hpp"
+
+namespace rebound {
+
+/// The scalars every tier reports, by one definition (see scalars.hpp).
+struct ImpactScalars {
+  double restitution = 0.0;        ///< rebound speed over approach speed [-]
+  double contact_time = 0.0;       ///< by the separation rule [s]
+  double contact_time_1pct = 0.0;  ///< between first and last crossing of 1 % of peak force [s]
+  double peak_force = 0.0;         ///< [N]
+  double peak_deflection = 0.0;    ///< [m]
+  double mean_deflection = 0.0;    ///< time mean over the contact [m]
+  double rebound_speed = 0.0;      ///< [m/s]
+  SeparationRule separation = SeparationRule::zero_force;
+};
+
+/// How well momentum and energy balance; part of every result.
+struct Closures {
+  /// |∫F dt − m (v₀ + v₁)| / (m (v₀ + v₁)), v₁ the rebound speed found
+  /// without using F.
+  double impulse = 0.0;
+  /// |energy found − energy brought| / (½ m v₀²), all channels booked.
+  double energy = 0.0;
+};
+
+/// Result of one lumped impact.
+struct LumpedResult {
+  Trace trace;
+  ImpactScalars scalars;
+  Closures closures;
+  double wall_seconds = 0.0;  ///< integration alone
+};
+
+/// Where the energy of an FE impact is, at one instant [J].
+struct EnergyBook {
+  double kinetic_centre_of_mass = 0.0;
+  double kinetic_vibration = 0.0;  ///< kinetic energy about the centre of mass
+  double stored = 0.0;             ///< hyperelastic energy of the long-term state
+  double branches = 0.0;           ///< internal work − stored: held by or dissipated in branches
+  double contact_constraint = 0.0; ///< lost when nodes are caught by the plate
+};
+
+/// Result of one FE impact.
+struct FemResult {
+  Trace trace;
+  ImpactScalars scalars;
+  Closures closures;
+  double restitution_momentum = 0.0;    ///< Σ mᵢ v_z,i / (m v₀) after separation; never from F
+  double contact_radius_peak = 0.0;     ///< [m]
+  double vibrational_energy_share = 0.0;///< (kinetic about the centre + stored) / (½ m v₀²) at the end
+  double contact_constraint_share = 0.0;///< energy lost by nodes caught by the plate, of ½ m v₀²
+  int cells = 0;
+  int vertices = 0;
+  long steps = 0;
+  double smallest_step = 0.0;           ///< [s]
+  double wall_seconds = 0.0;            ///< step loop alone
+  double setup_seconds = 0.0;
+  std::string kernel;                   ///< instruction set the kernel was dispatched to
+  std::vector<EnergyBook> energies;     ///< one per trace sample
+  /// Empty when complete; otherwise why the run ended early. No scalar of an
+  /// incomplete result may be reported.
+  std::string incomplete_because;
+};
+
+}  // namespace rebound
