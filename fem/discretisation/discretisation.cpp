@@ -1,0 +1,122 @@
+#include "fem/discretisation/discretisation.hpp"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+#include "fem/discretisation/field_geometry.hpp"
+#include "lumped/problem/error.hpp"
+
+static_assert(__cplusplus >= 202002L, "deal.II's exported flags must not lower the standard");
+
+namespace rebound::fem {
+namespace {
+
+/// deal.II counts corners and Gauss points row by row, the kernel around the cell.
+constexpr std::array<int, 4> around = {0, 1, 3, 2};
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw Error(ExitCode::bad_input, "mesh refused: " + why, {.key = "model.mesh"});
+}
+
+void triangulate(const Mesh& mesh, dealii::Triangulation<2>& triangulation) {
+  if (mesh.cells.empty()) refuse("it has no cells");
+  if (mesh.contact_edges.empty()) refuse("it has no edges in the group \"contact\"");
+  std::vector<dealii::Point<2>> vertices;
+  vertices.reserve(mesh.vertices.size());
+  for (const auto& v : mesh.vertices) {
+    if (v[0] < 0.0) refuse("a vertex lies at negative radius");
+    vertices.emplace_back(v[0], v[1]);
+  }
+  std::vector<dealii::CellData<2>> cells;
+  cells.reserve(mesh.cells.size());
+  for (const auto& c : mesh.cells) {
+    dealii::CellData<2> data(4);
+    for (int i = 0; i < 4; ++i) data.vertices[around[i]] = static_cast<unsigned>(c[i]);
+    cells.push_back(data);
+  }
+  dealii::GridTools::consistently_order_cells(cells);
+  try {
+    triangulation.create_triangulation(vertices, cells, {});
+  } catch (const dealii::ExceptionBase& error) {
+    refuse(std::string("deal.II cannot use it: ") + error.what());
+  }
+}
+
+CellGeometry geometry_of(const dealii::FEValues<2>& values, const std::vector<unsigned>& dofs) {
+  CellGeometry cell;
+  for (int i = 0; i < nodes_per_cell; ++i) cell.nodes[i] = static_cast<int>(dofs[around[i]]);
+  for (int q = 0; q < points_per_cell; ++q) {
+    const auto point = static_cast<unsigned>(around[q]);
+    cell.radius[q] = values.quadrature_point(point)[0];
+    cell.weight[q] = 2.0 * std::numbers::pi * cell.radius[q] * values.JxW(point);
+    for (int i = 0; i < nodes_per_cell; ++i) {
+      const auto corner = static_cast<unsigned>(around[i]);
+      cell.shape[q][i] = values.shape_value(corner, point);
+      cell.gradient[q][i] = {values.shape_grad(corner, point)[0],
+                             values.shape_grad(corner, point)[1]};
+    }
+  }
+  return cell;
+}
+
+std::vector<int> nodes_of(const std::vector<std::array<int, 2>>& edges,
+                          const std::vector<int>& node_of_vertex) {
+  std::set<int> nodes;
+  for (const auto& edge : edges)
+    for (const int vertex : edge) nodes.insert(node_of_vertex[vertex]);
+  return {nodes.begin(), nodes.end()};
+}
+
+}  // namespace
+
+Discretisation discretise(const Mesh& mesh, double mass) {
+  auto fields = std::make_shared<FieldGeometry>();
+  triangulate(mesh, fields->triangulation);
+  fields->dofs.distribute_dofs(fields->element);
+  dealii::DoFRenumbering::Cuthill_McKee(fields->dofs, true);
+
+  Discretisation body;
+  const auto count = fields->dofs.n_dofs();
+  body.position.resize(count);
+  body.mass.assign(count, 0.0);
+  std::vector<int> node_of_vertex(mesh.vertices.size(), -1);
+
+  dealii::FEValues<2> values(fields->element, dealii::QGauss<2>(2),
+                             dealii::update_values | dealii::update_gradients |
+                                 dealii::update_quadrature_points | dealii::update_JxW_values);
+  std::vector<unsigned> dofs(nodes_per_cell);
+  double volume = 0.0;
+  for (const auto& cell : fields->dofs.active_cell_iterators()) {
+    values.reinit(cell);
+    cell->get_dof_indices(dofs);
+    for (unsigned corner = 0; corner < 4; ++corner) {
+      body.position[dofs[corner]] = {cell->vertex(corner)[0], cell->vertex(corner)[1]};
+      node_of_vertex[cell->vertex_index(corner)] = static_cast<int>(dofs[corner]);
+    }
+    const CellGeometry geometry = geometry_of(values, dofs);
+    for (int q = 0; q < points_per_cell; ++q) {
+      if (!(geometry.weight[q] > 0.0)) refuse("a cell is inverted or has no area");
+      volume += geometry.weight[q];
+      for (int i = 0; i < nodes_per_cell; ++i)
+        body.mass[geometry.nodes[i]] += geometry.weight[q] * geometry.shape[q][i];
+    }
+    body.cells.push_back(geometry);
+  }
+  body.density = mass / volume;
+  for (double& m : body.mass) m *= body.density;
+  body.axis_nodes = nodes_of(mesh.axis_edges, node_of_vertex);
+  body.contact_nodes = nodes_of(mesh.contact_edges, node_of_vertex);
+  std::sort(body.contact_nodes.begin(), body.contact_nodes.end(),
+            [&](int a, int b) { return body.position[a] < body.position[b]; });
+  body.fields = std::move(fields);
+  return body;
+}
+
+}  // namespace rebound::fem

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem/kernel/cell_kernel.hpp"
+#include "fem/materials/viscoelastic_constants.hpp"
+#include "lumped/problem/fem_problem.hpp"
+#include "lumped/problem/mesh.hpp"
+
+namespace rebound::fem {
+
+/// Writes displacement and derived fields for ParaView; owned by the
+/// discretisation because it needs the triangulation.
+class FieldGeometry;
+
+/// Geometry of one cell in plain numbers: gradients of the shape functions at
+/// rest, counted counter-clockwise, at four Gauss points.
+struct CellGeometry {
+  std::array<int, nodes_per_cell> nodes{};
+  std::array<std::array<std::array<double, 2>, nodes_per_cell>, points_per_cell> gradient{};
+  std::array<std::array<double, nodes_per_cell>, points_per_cell> shape{};
+  std::array<double, points_per_cell> radius{};
+  std::array<double, points_per_cell> weight{};  ///< 2π R |J| w [m³]
+};
+
+/// A sphere (or any body of revolution) cut into bilinear axisymmetric cells,
+/// total Lagrangian, lumped mass.
+///
+///   mass_i = Σ_q ρ N_i(q) 2π R_q |J|_q w_q,   ρ = mass / Σ_q weight_q
+///
+/// so the discrete body has exactly the mass asked for whatever the mesh.
+/// Nodes are ordered for locality (reverse Cuthill–McKee).
+struct Discretisation {
+  std::vector<CellGeometry> cells;
+  std::vector<std::array<double, 2>> position;  ///< at rest, (r, z) [m]
+  std::vector<double> mass;                     ///< per node [kg]
+  std::vector<int> axis_nodes;
+  std::vector<int> contact_nodes;               ///< ascending radius
+  double density = 0.0;                         ///< [kg/m³]
+  std::shared_ptr<const FieldGeometry> fields;
+
+  int node_count() const { return static_cast<int>(position.size()); }
+};
+
+/// Builds the discretisation of `mesh` for a body of the given mass.
+/// Errors: Error(bad_input) for inverted cells, vertices at r < 0, an empty
+///         contact group.
+Discretisation discretise(const Mesh& mesh, double mass);
+
+/// Largest eigenfrequency squared of each cell alone, small strain, lumped
+/// mass: a bound of the assembled one (Irons & Treharne 1971) [1/s²].
+std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli);
+
+}  // namespace rebound::fem

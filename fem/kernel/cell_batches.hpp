@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/discretisation/discretisation.hpp"
+#include "fem/kernel/cell_kernel.hpp"
+
+namespace rebound::fem {
+
+/// Owns the arrays that a kernel of one width reads. Cells are dealt to
+/// batches so that the cells of one batch share no node where that can be
+/// had: the lanes then write to different places.
+class CellBatches {
+ public:
+  CellBatches(const Discretisation& body, const ViscoelasticConstants& material,
+              ElasticModel elastic, int width);
+  CellBatches(const CellBatches&) = delete;  // arrays_ points into this object
+  CellBatches& operator=(const CellBatches&) = delete;
+
+  const CellArrays& arrays() const { return arrays_; }
+  /// Zeroed carried tensors of all branches.
+  std::vector<double> make_history() const;
+
+ private:
+  int width_;
+  std::vector<int> nodes_;
+  std::vector<double> geometry_;
+  std::vector<double> rest_frequency_squared_;
+  CellArrays arrays_;
+};
+
+}  // namespace rebound::fem

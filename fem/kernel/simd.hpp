@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+/// Vectors of doubles over cells, for the kernel files alone. Those are each
+/// compiled for one instruction set; nothing here may be an inline function
+/// of a type shared between them, or the linker could pick the wrong copy.
+/// The width is part of every type, and each kernel file has its own width.
+namespace rebound::fem {
+
+template <int width>
+struct VectorOf {
+  typedef double Real __attribute__((vector_size(8 * width)));
+  typedef std::int64_t Integer __attribute__((vector_size(8 * width)));
+};
+
+template <class V>
+inline V load(const double* p) {
+  V v;
+  std::memcpy(&v, p, sizeof(V));
+  return v;
+}
+
+template <class V>
+inline void store(double* p, V v) {
+  std::memcpy(p, &v, sizeof(V));
+}
+
+/// Real vectors only: keeps these functions out of overload resolution for double.
+template <class V, int width = sizeof(V) / 8, class = decltype(V{}[0])>
+using OnlyVector = V;
+
+template <class V>
+inline OnlyVector<V> square_root(V x) {
+  V y = x;
+  for (unsigned i = 0; i < sizeof(V) / 8; ++i) y[i] = __builtin_sqrt(x[i]);
+  return y;
+}
+
+/// Natural logarithm of positive normal numbers.
+///
+///   x = 2^k m,  m in [√½, √2);   ln x = k ln 2 + 2 artanh((m − 1)/(m + 1))
+///
+/// Error: below 3 units in the last place (or 1e-16 absolute near x = 1)
+///        -> test SimdMath.LogAgainstLibrary
+template <class V>
+inline OnlyVector<V> log(V x) {
+  using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
+  Integer bits;
+  std::memcpy(&bits, &x, sizeof(V));
+  // Shift so that the exponent field changes at √½ instead of 1.
+  const Integer shifted = bits - 0x3fe6a09e667f3bcd;
+  const Integer k = shifted >> 52;
+  const Integer mantissa_bits = bits - (k << 52);
+  V m;
+  std::memcpy(&m, &mantissa_bits, sizeof(V));
+  // Exact conversion of the small integer k: add into the mantissa of 1.5·2^52.
+  const Integer biased = k + 0x4338000000000000;
+  V exponent;
+  std::memcpy(&exponent, &biased, sizeof(V));
+  exponent -= 6755399441055744.0;
+
+  const V s = (m - 1.0) / (m + 1.0);
+  const V s2 = s * s;
+  V sum = s2 * (1.0 / 21.0) + 1.0 / 19.0;
+  sum = sum * s2 + 1.0 / 17.0;
+  sum = sum * s2 + 1.0 / 15.0;
+  sum = sum * s2 + 1.0 / 13.0;
+  sum = sum * s2 + 1.0 / 11.0;
+  sum = sum * s2 + 1.0 / 9.0;
+  sum = sum * s2 + 1.0 / 7.0;
+  sum = sum * s2 + 1.0 / 5.0;
+  sum = sum * s2 + 1.0 / 3.0;
+  const V tail = s * s2 * sum;
+  return exponent * 0.69314718055994530942 + 2.0 * (s + tail);
+}
+
+/// Exponential for |x| < 700.
+///
+///   x = k ln 2 + r, |r| ≤ ½ ln 2;   eˣ = 2^k Σ rⁿ/n!
+///
+/// Error: below 3 units in the last place -> test SimdMath.ExpAgainstLibrary
+template <class V>
+inline OnlyVector<V> exp(V x) {
+  using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
+  constexpr double rounding = 6755399441055744.0;  // 1.5·2^52: rounds to integer
+  const V shifted = x * 1.44269504088896340736 + rounding;
+  const V k = shifted - rounding;
+  V r = x - k * 6.93147180369123816490e-01;
+  r -= k * 1.90821492927058770002e-10;
+  V sum = r * (1.0 / 6227020800.0) + 1.0 / 479001600.0;
+  sum = sum * r + 1.0 / 39916800.0;
+  sum = sum * r + 1.0 / 3628800.0;
+  sum = sum * r + 1.0 / 362880.0;
+  sum = sum * r + 1.0 / 40320.0;
+  sum = sum * r + 1.0 / 5040.0;
+  sum = sum * r + 1.0 / 720.0;
+  sum = sum * r + 1.0 / 120.0;
+  sum = sum * r + 1.0 / 24.0;
+  sum = sum * r + 1.0 / 6.0;
+  sum = sum * r + 0.5;
+  sum = sum * r + 1.0;
+  sum = sum * r + 1.0;
+  Integer k_bits;
+  std::memcpy(&k_bits, &shifted, sizeof(V));
+  const Integer scale_bits = (k_bits << 52) + 0x3ff0000000000000;
+  V scale;
+  std::memcpy(&scale, &scale_bits, sizeof(V));
+  return sum * scale;
+}
+
+}  // namespace rebound::fem

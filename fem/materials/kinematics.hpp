@@ -1,0 +1,51 @@
+#pragma once
+
+namespace rebound::fem {
+
+/// Symmetric tensor of an axisymmetric state without torsion.
+/// T is `double` or a vector of doubles over cells.
+template <class T>
+struct Symmetric {
+  T rr, zz, tt, rz;
+};
+
+/// Deformation gradient F_iJ = ∂x_i/∂X_J of an axisymmetric state.
+template <class T>
+struct Gradient {
+  T rr, rz, zr, zz, tt;
+};
+
+/// What the materials need of the deformation: C = FᵀF and its inverse.
+template <class T>
+struct Strain {
+  Symmetric<T> right_cauchy_green;
+  Symmetric<T> inverse;
+  T jacobian;  ///< J = det F
+};
+
+template <class T>
+inline Strain<T> strain_of(const Gradient<T>& f) {
+  Strain<T> strain;
+  auto& c = strain.right_cauchy_green;
+  c.rr = f.rr * f.rr + f.zr * f.zr;
+  c.zz = f.rz * f.rz + f.zz * f.zz;
+  c.rz = f.rr * f.rz + f.zr * f.zz;
+  c.tt = f.tt * f.tt;
+  const T in_plane = f.rr * f.zz - f.rz * f.zr;
+  strain.jacobian = in_plane * f.tt;
+  const T inverse_determinant = 1.0 / (in_plane * in_plane);
+  strain.inverse.rr = c.zz * inverse_determinant;
+  strain.inverse.zz = c.rr * inverse_determinant;
+  strain.inverse.rz = -c.rz * inverse_determinant;
+  strain.inverse.tt = 1.0 / c.tt;
+  return strain;
+}
+
+/// First Piola–Kirchhoff stress P = F S.
+template <class T>
+inline Gradient<T> first_piola(const Gradient<T>& f, const Symmetric<T>& s) {
+  return {f.rr * s.rr + f.rz * s.rz, f.rr * s.rz + f.rz * s.zz, f.zr * s.rr + f.zz * s.rz,
+          f.zr * s.rz + f.zz * s.zz, f.tt * s.tt};
+}
+
+}  // namespace rebound::fem

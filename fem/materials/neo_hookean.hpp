@@ -1,0 +1,66 @@
+#pragma once
+
+#include "fem/materials/kinematics.hpp"
+#include "fem/materials/moduli.hpp"
+
+namespace rebound::fem {
+
+/// Compressible neo-Hookean solid, split so that either part may relax.
+///
+///   W = μ/2 (I₁ − 3 − 2 ln J) + λ/2 (ln J)²,      λ = K − 2μ/3
+///   deviatoric part  W_d = μ/2 (I₁ − 3 − 2 ln J) − μ/3 (ln J)²,
+///                    S_d = μ (1 − C⁻¹) − (2/3) μ ln J C⁻¹
+///   volumetric part  W_v = K/2 (ln J)²,   S_v = K ln J C⁻¹
+///
+///   μ shear modulus, K bulk modulus [Pa]; S second Piola–Kirchhoff [Pa]
+///
+/// Valid:   J > 0. The split is by modulus: scaling S_d scales μ at constant K.
+/// Limit:   small strain is isotropic elasticity -> test MaterialBattery.SmallStrain
+/// Caution: W_d is not isochoric at finite strain; for a pure isochoric
+///          split take NeoHookeanIsochoric.
+/// Source:  Bonet & Wood, Nonlinear Continuum Mechanics for Finite Element
+///          Analysis, 2nd ed. (2008), §6.4.3.
+struct NeoHookean {
+  Moduli moduli;
+
+  template <class T>
+  Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
+    const T factor = moduli.shear * (1.0 + (2.0 / 3.0) * log(e.jacobian));
+    return {moduli.shear - factor * e.inverse.rr, moduli.shear - factor * e.inverse.zz,
+            moduli.shear - factor * e.inverse.tt, -factor * e.inverse.rz};
+  }
+
+  template <class T>
+  Symmetric<T> volumetric_stress(const Strain<T>& e) const {
+    const T factor = moduli.bulk * log(e.jacobian);
+    return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt,
+            factor * e.inverse.rz};
+  }
+
+  template <class T>
+  T deviatoric_energy(const Strain<T>& e) const {
+    const T log_j = log(e.jacobian);
+    const auto& c = e.right_cauchy_green;
+    return moduli.shear * (0.5 * (c.rr + c.zz + c.tt - 3.0) - log_j - log_j * log_j / 3.0);
+  }
+
+  template <class T>
+  T volumetric_energy(const Strain<T>& e) const {
+    const T log_j = log(e.jacobian);
+    return 0.5 * moduli.bulk * log_j * log_j;
+  }
+
+  /// Upper bound of the tangent ∂P/∂F as a quadratic form, over its value at
+  /// rest; drives the stable step. `m` is the largest eigenvalue of C⁻¹.
+  template <class T>
+  T stiffness_growth(const Strain<T>& e, const T& m) const {
+    const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
+    const T geometric = moduli.shear - lame * log(e.jacobian);
+    const T trace = e.inverse.rr + e.inverse.zz + e.inverse.tt;
+    return (moduli.shear + (geometric < 0.0 ? -geometric : geometric) * m +
+            (lame < 0.0 ? -lame : lame) * trace) /
+           (2.0 * moduli.shear + 3.0 * (lame < 0.0 ? -lame : lame));
+  }
+};
+
+}  // namespace rebound::fem

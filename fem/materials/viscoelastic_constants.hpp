@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/materials/moduli.hpp"
+#include "lumped/problem/material.hpp"
+
+namespace rebound::fem {
+
+/// One Prony branch in terms of the instantaneous stress it is driven by:
+/// Q̇ + Q/τ = d/dt (g_d S_d + g_v S_v).
+struct BranchConstants {
+  double deviatoric_share = 0.0;   ///< g_d [-]
+  double volumetric_share = 0.0;   ///< g_v [-], zero when the branch relaxes the deviator alone
+  double relaxation_time = 0.0;    ///< τ [s]
+};
+
+/// Material constants in the one form the kernels use.
+///
+/// The total stress is S = c_d S_d + c_v S_v + Σ Qᵢ with S_d, S_v of the
+/// instantaneous moduli and c the long-term shares, c = 1 − Σ g.
+struct ViscoelasticConstants {
+  Moduli instantaneous;
+  double long_term_deviatoric = 1.0;  ///< c_d [-]
+  double long_term_volumetric = 1.0;  ///< c_v [-]
+  std::vector<BranchConstants> branches;
+};
+
+/// Largest Poisson ratio at which the fully integrated bilinear cell is
+/// trusted; above it the cell locks in volume.
+inline constexpr double largest_poisson_ratio = 0.45;
+
+/// Converts user-level material numbers of either modulus basis.
+///
+///   instantaneous: μ₀, K₀ from (E, ν); shares g = ratio
+///   long-term:     μ∞, K∞ from (E, ν); μ₀ = μ∞ (1 + Σ r), K₀ = K∞ (1 + Σ_all r),
+///                  g_d = r μ∞/μ₀, g_v = r K∞/K₀ for branches that relax all
+///
+/// Limit:  both bases give the same constants for the same solid
+///         -> test ViscoelasticConstantsTest.BasesAgree
+/// Errors: Error(bad_input) for E ≤ 0, ν outside (−1, 0.45], τ ≤ 0,
+///         ratio ≤ 0, instantaneous shares that sum to 1 or more.
+ViscoelasticConstants viscoelastic_constants(const Material& material);
+
+}  // namespace rebound::fem
