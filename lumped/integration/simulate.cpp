@@ -1,0 +1,89 @@
+#include "lumped/integration/simulate.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "lumped/integration/cvode_integrator.hpp"
+#include "lumped/integration/fast_integrator.hpp"
+#include "lumped/laws/make_law.hpp"
+#include "lumped/problem/error.hpp"
+#include "lumped/problem/scalars.hpp"
+
+namespace rebound {
+
+namespace {
+
+// Fewer samples leave the parabola through the highest one a poor peak.
+constexpr int fewest_samples = 50;
+constexpr int most_samples = 10'000'000;
+
+ContactSetup checked_setup(const LumpedProblem& problem) {
+  const auto& controls = problem.controls;
+  if (!(controls.relative_tolerance >= 1e-13 && controls.relative_tolerance <= 1e-3))
+    throw Error(ExitCode::bad_input, "relative tolerance out of range",
+                {.key = "controls.relative_tolerance",
+                 .value = std::to_string(controls.relative_tolerance),
+                 .allowed = "[1e-13, 1e-3]"});
+  if (controls.samples < fewest_samples || controls.samples > most_samples)
+    throw Error(ExitCode::bad_input, "number of samples out of range",
+                {.key = "controls.samples", .value = std::to_string(controls.samples),
+                 .allowed = "[50, 10000000]"});
+  return {.mass = problem.sphere.mass, .speed = problem.impact.speed,
+          .separation = problem.impact.separation,
+          .relative_tolerance = controls.relative_tolerance};
+}
+
+Closures close_books(const AnyLaw& law, const ContactSetup& setup, const ContactEnd& end) {
+  const double brought = 0.5 * setup.mass * setup.speed * setup.speed;
+  const double kept = 0.5 * setup.mass * end.velocity * end.velocity;
+  const double stored =
+      std::visit([&](const auto& l) { return l.elastic_energy(end.deflection); }, law);
+  const double momentum = setup.mass * (setup.speed - end.velocity);
+  return {.impulse = std::abs(end.impulse - momentum) / momentum,
+          .energy = std::abs(kept + stored + end.dissipated - brought) / brought};
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+LumpedResult simulate(const LumpedProblem& problem) {
+  const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
+  const ContactSetup setup = checked_setup(problem);
+  LumpedResult result;
+  const auto start = std::chrono::steady_clock::now();
+  CvodeIntegrator integrator(law, setup);
+  const ContactEnd end = integrator.integrate();
+  result.trace = integrator.sample(end, problem.controls.samples);
+  result.wall_seconds = seconds_since(start);
+  result.scalars = derive_scalars(result.trace, problem.impact, end.time, -end.velocity);
+  result.closures = close_books(law, setup, end);
+  return result;
+}
+
+LumpedResult simulate_fast(const LumpedProblem& problem) {
+  const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
+  const ContactSetup setup = checked_setup(problem);
+  LumpedResult result;
+  const auto samples = static_cast<std::size_t>(problem.controls.samples);
+  result.trace.time.resize(samples);
+  result.trace.force.resize(samples);
+  result.trace.deflection.resize(samples);
+  const auto start = std::chrono::steady_clock::now();
+  const ContactEnd end = std::visit(
+      [&]<class Law>(const Law& l) {
+        FastIntegrator<Law> integrator(l, setup);
+        integrator.integrate();
+        integrator.sample({result.trace.time, result.trace.force, result.trace.deflection});
+        return integrator.end();
+      },
+      law);
+  result.wall_seconds = seconds_since(start);
+  result.scalars = derive_scalars(result.trace, problem.impact, end.time, -end.velocity);
+  result.closures = close_books(law, setup, end);
+  return result;
+}
+
+}  // namespace rebound

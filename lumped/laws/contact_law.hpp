@@ -1,0 +1,44 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+
+#include "lumped/laws/law_card.hpp"
+#include "lumped/problem/impact.hpp"
+
+namespace rebound {
+
+/// What a law may use to turn a restitution into its damping.
+struct DampingRequest {
+  std::string formula;             ///< name, e.g. "exact"
+  double restitution = 1.0;        ///< to be returned, in (0, 1] [-]
+  double mass = 0.0;               ///< [kg]
+  Impact impact;                   ///< approach speed and separation rule
+  ParameterValues parameters;      ///< all parameters but the damping, SI
+};
+
+/// A contact law: a small callable struct, F = F_e(x) + F_d(x, ẋ).
+///
+///   x   deflection, towards the plate positive  [m]
+///   ẋ   closing speed, approaching positive     [m/s]
+///   F   force on the ball, compression positive [N]
+///
+/// Needed of every law (one test battery runs over all of them):
+///   F_e(0) = 0, elastic_energy(x) = ∫₀ˣ F_e dx [J], F_d ẋ ≥ 0.
+/// Continuation to x < 0, where integrators evaluate while they locate the
+/// separation: F_e odd in x, F_d taken at |x|. With it the total force of an
+/// opening contact changes its sign once.
+///
+/// A law whose card names a damping parameter also has
+/// `static double damping_for(const DampingRequest&)`.
+template <class Law>
+concept ContactLaw = requires(const Law law, double x, double v, const ParameterValues& values) {
+  { Law::card() } -> std::same_as<LawCard>;
+  { Law::from(values) } -> std::same_as<Law>;
+  { law.elastic_force(x) } -> std::same_as<double>;
+  { law.damping_force(x, v) } -> std::same_as<double>;
+  { law.force(x, v) } -> std::same_as<double>;
+  { law.elastic_energy(x) } -> std::same_as<double>;
+};
+
+}  // namespace rebound

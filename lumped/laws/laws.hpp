@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "lumped/laws/equivalent_kelvin_voigt.hpp"
+#include "lumped/laws/hertz_damped.hpp"
+#include "lumped/laws/hunt_crossley.hpp"
+#include "lumped/laws/linear_kelvin_voigt.hpp"
+#include "lumped/laws/power_law.hpp"
+
+namespace rebound {
+
+/// The list of contact laws. A law that stands here is known to the
+/// configuration, the help, calibration, the integrators and the tests.
+using AnyLaw =
+    std::variant<LinearKelvinVoigt, EquivalentKelvinVoigt, HuntCrossley, HertzDamped, PowerLaw>;
+
+/// Calls `visit.template operator()<Law>()` for every law of the list.
+template <class Visitor>
+void for_each_law(Visitor&& visit) {
+  [&]<class... Laws>(std::type_identity<std::variant<Laws...>>) {
+    (visit.template operator()<Laws>(), ...);
+  }(std::type_identity<AnyLaw>{});
+}
+
+/// Cards of all laws, in the order of the list.
+const std::vector<LawCard>& all_laws();
+
+/// Errors: Error(bad_input) with the names there are.
+const LawCard& find_law(const std::string& name);
+
+}  // namespace rebound

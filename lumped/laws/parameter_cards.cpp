@@ -1,0 +1,43 @@
+#include "lumped/laws/parameter_cards.hpp"
+
+namespace rebound {
+
+namespace {
+
+double value_or(const ParameterValues& values, const char* name, double otherwise) {
+  const auto found = values.find(name);
+  return found == values.end() ? otherwise : found->second;
+}
+
+}  // namespace
+
+Dimension stiffness_dimension(const ParameterValues& values, const char* exponent_name,
+                              double default_exponent, double offset) {
+  const double n = value_or(values, exponent_name, default_exponent) + offset;
+  return dimension::force / power(dimension::length, n);
+}
+
+Dimension damping_dimension(const ParameterValues& values, const char* exponent_name,
+                            double default_exponent, double offset) {
+  const double n = value_or(values, exponent_name, default_exponent) + offset;
+  return dimension::force / power(dimension::length, n) / dimension::speed;
+}
+
+ParameterCard stiffness_card(const char* sentence, Dimension (*dimension)(const ParameterValues&)) {
+  return {.name = "stiffness", .sentence = sentence, .dimension = dimension, .lowest = 0.0,
+          .highest = 1e15, .lowest_allowed = false, .default_value = {}};
+}
+
+ParameterCard damping_card(const char* sentence, Dimension (*dimension)(const ParameterValues&)) {
+  return {.name = "damping", .sentence = sentence, .dimension = dimension, .lowest = 0.0,
+          .highest = 1e15, .lowest_allowed = true, .default_value = {}};
+}
+
+ParameterCard hertz_exponent_card() {
+  return {.name = "exponent",
+          .sentence = "Power n of the deflection; 1.5 is Hertz's sphere on a plane.",
+          .dimension = [](const ParameterValues&) { return dimension::none; },
+          .lowest = 0.5, .highest = 5.0, .lowest_allowed = true, .default_value = 1.5};
+}
+
+}  // namespace rebound

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cmath>
+
+#include "lumped/laws/contact_law.hpp"
+#include "lumped/laws/power.hpp"
+
+namespace rebound {
+
+/// The general power law the others are cases of.
+///
+///   F = κ x^{n₂} x + λ x^{n₁} ẋ
+///
+///   κ    stiffness            [N/m^(n₂+1)]
+///   λ    damping              [N s/m^(n₁+1)]
+///   n₁   damping exponent     [-]
+///   n₂   stiffness exponent, one less than the power of the elastic force [-]
+///
+/// Valid:   n₁ ≥ 0, n₂ > −½ (a finite contact time).
+/// Limit:   n₁ = n₂ = 0 linear Kelvin–Voigt, n₁ = n₂ = ½ Hertz damped,
+///          n₁ = n₂ + 1 Hunt–Crossley -> test PowerLawTest.ContainsTheOthers.
+/// Caution: for n₁ < n₂ + 1 the force pulls before x = 0 on rebound.
+/// Source:  Hanley et al., Eq. (3) of the sliotar core paper.
+struct PowerLaw {
+  double stiffness = 0.0;
+  double damping = 0.0;
+  Power elastic_power{1.0};  ///< n₂ + 1
+  Power damping_power{0.0};  ///< n₁
+
+  static LawCard card();
+  static PowerLaw from(const ParameterValues& values);
+
+  double elastic_force(double x) const {
+    return std::copysign(stiffness * elastic_power(std::abs(x)), x);
+  }
+  double damping_force(double x, double v) const {
+    return damping * damping_power(std::abs(x)) * v;
+  }
+  double force(double x, double v) const { return elastic_force(x) + damping_force(x, v); }
+  double elastic_energy(double x) const {
+    return elastic_force(x) * x / (elastic_power.exponent() + 1.0);
+  }
+};
+
+static_assert(ContactLaw<PowerLaw>);
+
+}  // namespace rebound
