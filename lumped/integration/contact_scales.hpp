@@ -39,9 +39,16 @@ inline constexpr double longest_contact = 2000.0;
 
 inline Error contact_does_not_end() {
   return {ExitCode::solver_failed,
-          "the contact does not end: no separation within 2000 deflection times (an overdamped "
+          "the contact does not end: no separation that the tolerance resolves (an overdamped "
           "law never returns to zero deflection)",
           {.key = "impact.separation", .value = "", .allowed = "less damping, or zero-force"}};
+}
+
+/// An overdamped ball creeps back to x = 0 until rounding carries it across:
+/// a rebound slower than the tolerance resolves is no rebound.
+inline void require_rebound(const ContactEnd& end, const ContactSetup& setup) {
+  if (!(-end.velocity > 10.0 * setup.relative_tolerance * setup.speed))
+    throw contact_does_not_end();
 }
 
 }  // namespace rebound

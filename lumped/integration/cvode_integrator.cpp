@@ -137,9 +137,14 @@ ContactEnd CvodeIntegrator::integrate() {
       CVode(cvode, longest_contact * scales_.time, solver_->y, &time, CV_NORMAL);
   check(flag, "integrating the contact");
   if (flag != CV_ROOT_RETURN) throw contact_does_not_end();
-  const double* y = solver_->state();
-  return {time, y[ContactSystem::deflection], y[ContactSystem::velocity],
-          y[ContactSystem::impulse], y[ContactSystem::dissipated]};
+  double* y = solver_->state();
+  std::array<int, 2> found = {0, 0};
+  check(CVodeGetRootInfo(cvode, found.data()), "locating the separation");
+  if (found[0] != 0) y[ContactSystem::deflection] = 0.0;  // what is left is rounding
+  const ContactEnd end = {time, y[ContactSystem::deflection], y[ContactSystem::velocity],
+                y[ContactSystem::impulse], y[ContactSystem::dissipated]};
+  require_rebound(end, setup_);
+  return end;
 }
 
 Trace CvodeIntegrator::sample(const ContactEnd& end, int samples) {

@@ -33,7 +33,8 @@ struct SampleView {
 /// Kelvin–Voigt, Kuwabara–Kono and Hunt–Crossley are polynomials.
 ///
 /// Separation is met by the last step itself, shortened until it ends there,
-/// not by interpolation. Samples come from quintic Hermite polynomials in τ.
+/// not by interpolation. Samples come from quintic Hermite polynomials, in time
+/// in the middle of the contact and in τ near its ends.
 ///
 /// Valid:   every law of the list, both separation rules.
 /// Limit:   same scalars as CVODE -> test IntegratorsTest.FastPathAgreesWithCvode;
@@ -79,15 +80,26 @@ class FastIntegrator {
     if (y[u] <= 0.0) return true;
     return setup_.separation == SeparationRule::zero_force && y[v] < 0.0 && force(y) <= 0.0;
   }
-  double error_norm(const Step& step, const ContactScales& scales) const;
-  double step_to_zero_deflection(const Values& y, const Values& slope, double h, double u_end) const;
-  double step_to_separation(const Values& y, const Values& slope, double h, double u_scale) const;
+  void set_weights(const ContactScales& scales);
+  double error_norm(const Step& step) const;
+  double step_to_zero_deflection(const Values& y, const Values& slope, double h,
+                                 double u_end) const;
+  double step_to_separation(const Values& y, const Values& slope, double h, double u_scale);
   void keep(const Values& y, const Values& slope, double step);
+  double instant(std::size_t i, const SampleView& samples) const {
+    return end_.time * static_cast<double>(i) / static_cast<double>(samples.time.size() - 1);
+  }
+  std::size_t sample_in_time(const Knot& left, const Knot& right, std::size_t i,
+                             const SampleView& samples) const;
+  std::size_t sample_near_end(const Knot& left, const Knot& right, std::size_t i,
+                              const SampleView& samples) const;
 
   static constexpr int most_steps_ = 2000;
   Law law_;
   ContactSetup setup_;
   ContactEnd end_;
+  Values weight_{};  ///< 1 / absolute tolerance of each state
+  bool reached_zero_ = false;
   int knots_ = 0;
   std::array<Knot, most_steps_ + 1> knot_;  // left uninitialised: only the first knots_ are read
 };

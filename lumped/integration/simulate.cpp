@@ -19,11 +19,11 @@ constexpr int most_samples = 10'000'000;
 
 ContactSetup checked_setup(const LumpedProblem& problem) {
   const auto& controls = problem.controls;
-  if (!(controls.relative_tolerance >= 1e-13 && controls.relative_tolerance <= 1e-3))
+  if (!(controls.relative_tolerance >= 1e-13 && controls.relative_tolerance <= 1e-4))
     throw Error(ExitCode::bad_input, "relative tolerance out of range",
                 {.key = "controls.relative_tolerance",
                  .value = std::to_string(controls.relative_tolerance),
-                 .allowed = "[1e-13, 1e-3]"});
+                 .allowed = "[1e-13, 1e-4]"});
   if (controls.samples < fewest_samples || controls.samples > most_samples)
     throw Error(ExitCode::bad_input, "number of samples out of range",
                 {.key = "controls.samples", .value = std::to_string(controls.samples),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "lumped/problem/lumped_problem.hpp"
+
+namespace rebound::test {
+
+/// Core A of the sliotar paper at its middle speed.
+inline Sphere core_a() { return {.mass = 0.0896, .diameter = 0.0662}; }
+
+/// Parameters of each law that bounce core A at 15 m/s with e between 0.4 and
+/// 0.8. A new law needs a line here, or the battery fails.
+inline ParameterValues typical_parameters(const std::string& law) {
+  static const std::map<std::string, ParameterValues> table = {
+      {"linear-kelvin-voigt", {{"stiffness", 2.5e5}, {"damping", 60.0}}},
+      {"equivalent-kelvin-voigt",
+       {{"exponent", 1.5}, {"stiffness", 3.5e6}, {"damping", 17.63e4},
+        {"representative_deflection", 3.97e-3}}},
+      {"hunt-crossley", {{"exponent", 1.5}, {"stiffness", 3.5e6}, {"damping", 17.63e4}}},
+      {"hertz-damped", {{"stiffness", 3.5e6}, {"damping", 700.0}}},
+      {"power-law",
+       {{"damping_exponent", 0.25}, {"stiffness_exponent", 0.25}, {"stiffness", 8e5},
+        {"damping", 200.0}}},
+  };
+  const auto found = table.find(law);
+  if (found == table.end()) throw std::logic_error("no typical parameters for law " + law);
+  return found->second;
+}
+
+inline LumpedProblem typical_problem(const std::string& law) {
+  return {.sphere = core_a(),
+          .impact = {.speed = 15.0, .separation = SeparationRule::zero_force},
+          .model = {.law = law, .parameters = typical_parameters(law)},
+          .controls = {}};
+}
+
+}  // namespace rebound::test
