@@ -38,7 +38,7 @@ done
 command -v mmdebstrap >/dev/null || { echo "prove_fresh: apt-get install mmdebstrap" >&2; exit 2; }
 [ -n "$root" ] || root="$(mktemp -d)/debian-12"
 [ ! -e "$root" ] || { echo "prove_fresh: $root exists" >&2; exit 2; }
-mkdir -p "$logs"
+mkdir -p "$logs" "$(dirname "$root")"
 
 mounted=()
 unmount_all() {
