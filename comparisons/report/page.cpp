@@ -31,7 +31,7 @@ std::string script_safe_json(const nlohmann::json& object) {
   } catch (const nlohmann::json::type_error&) {
     throw Error(ExitCode::bad_input, "a text of the report is not UTF-8");
   }
-  // In JSON a '<' only occurs inside strings, where < means the same.
+  // In JSON a '<' only occurs inside strings, where its escape means the same.
   std::string out;
   out.reserve(text.size());
   for (const char c : text) {

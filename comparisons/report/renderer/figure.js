@@ -1,0 +1,114 @@
+// One figure record, one drawing: lines, points with error bars, uncertainty bands.
+
+const drawings = [];  // promises; the page is ready when all of them are
+
+function errorBar(half_widths, colour) {
+  if (half_widths.length === 0) return undefined;
+  return { type: "data", array: half_widths, color: colour, thickness: 1.4, width: 5 };
+}
+
+/** The series as traces of the drawing library, band first so that the line is on top. */
+function tracesOf(series, figure, faded) {
+  const { colour, symbol } = lookOf(series);
+  const opacity = faded ? 0.3 : 1;
+  const traces = [];
+  if (series.y_low.length > 0) {
+    traces.push({
+      type: "scatter", mode: "lines", fill: "toself", hoverinfo: "skip", line: { width: 0, color: colour },
+      x: [...series.x, ...series.x.slice().reverse()],
+      y: [...series.y_high, ...series.y_low.slice().reverse()],
+      fillcolor: colour, opacity: 0.18 * opacity,
+    });
+  }
+  const line = series.style === "line";
+  traces.push({
+    type: "scatter", mode: line ? "lines" : "markers", name: drawnText(series.name),
+    x: series.x, y: series.y, opacity,
+    line: { color: colour, width: series.reference ? 2.6 : 2, dash: dashOfOrigin[series.origin] },
+    marker: {
+      size: 9, symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
+      color: colour, line: { color: colour, width: 1.8 },
+    },
+    error_x: errorBar(series.x_error, colour),
+    error_y: errorBar(series.y_error, colour),
+    hovertemplate: `%{x:.4g}${drawnText(unitSuffix(figure.x.unit))}, ` +
+      `%{y:.4g}${drawnText(unitSuffix(figure.y.unit))}` +
+      `<extra>${drawnText(series.name)}, ${series.origin}</extra>`,
+  });
+  return traces;
+}
+
+function axisLayout(axis) {
+  return {
+    title: { text: drawnText(axisText(axis)), standoff: 8 },
+    type: axis.logarithmic ? "log" : "linear",
+    automargin: true, showline: true, mirror: true, linecolor: "#8a929b", ticks: "outside",
+    tickcolor: "#8a929b", gridcolor: "#eceef0", zeroline: false, exponentformat: "power",
+  };
+}
+
+function drawFigure(place, figure, hidden, highlight) {
+  const shown = figure.series.filter((series) => !hidden.has(series.name));
+  const traces = shown.flatMap((series) => tracesOf(series, figure,
+    highlight !== "" && series.name !== highlight && !series.reference && series.origin !== "measured"));
+  const layout = {
+    showlegend: false, hovermode: "closest", margin: { l: 60, r: 14, t: 26, b: 48 },
+    font: { family: "system-ui, sans-serif", size: 13, color: ink },
+    xaxis: axisLayout(figure.x), yaxis: axisLayout(figure.y),
+    paper_bgcolor: "#fff", plot_bgcolor: "#fff",
+  };
+  const options = {
+    responsive: true, displaylogo: false,
+    modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
+    toImageButtonOptions: { format: "svg", filename: figure.title.replace(/[^A-Za-z0-9]+/g, "-") },
+  };
+  const drawing = Plotly.react(place, traces, layout, options);
+  drawings.push(drawing);
+  return drawing;
+}
+
+function describeFigure(figure) {
+  const names = figure.series.map((series) => `${series.name} (${series.origin})`).join(", ");
+  return `${figure.title}. ${axisText(figure.y)} against ${axisText(figure.x)}. Series: ${names}.`;
+}
+
+/**
+ * Figures side by side under one legend, whose entries hide and show series in all of
+ * them. show() changes what is drawn; what was hidden by name stays hidden.
+ */
+function figureGroup() {
+  const legend = element("div", { class: "legend", role: "group", "aria-label": "Series; press to hide or show" });
+  const panels = element("div", { class: "panels" });
+  const hidden = new Set();
+  let drawn = [];
+  let highlighted = "";
+
+  const draw = () => drawn.forEach(({ place, figure }) => drawFigure(place, figure, hidden, highlighted));
+
+  function entry(series) {
+    const button = element("button", { type: "button", "aria-pressed": String(!hidden.has(series.name)) },
+      swatch(series), element("span", {}, series.name), originTag(series.origin));
+    button.addEventListener("click", () => {
+      if (!hidden.delete(series.name)) hidden.add(series.name);
+      button.setAttribute("aria-pressed", String(!hidden.has(series.name)));
+      draw();
+    });
+    if (series.name === highlighted) button.classList.add("highlighted");
+    return button;
+  }
+
+  function show(figures, highlight = "") {
+    drawn.forEach(({ place }) => Plotly.purge(place));
+    highlighted = highlight;
+    const byName = new Map(figures.flatMap((figure) => figure.series.map((series) => [series.name, series])));
+    legend.replaceChildren(...[...byName.values()].map(entry));
+    drawn = figures.map((figure) => ({
+      figure, place: element("div", { class: "plot", role: "img", "aria-label": describeFigure(figure) }),
+    }));
+    panels.replaceChildren(...drawn.map(({ figure, place }) => captioned("drawn", figure, place)));
+    // The places have a width only once they are on the page.
+    return draw;
+  }
+
+  return { root: element("div", { class: "figures" }, legend, panels), show };
+}

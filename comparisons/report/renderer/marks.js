@@ -1,0 +1,57 @@
+// How a mark says where its number is from. Colour tells series apart; dash and marker
+// tell their origin, so that neither depends on seeing colour.
+
+const originMeaning = {
+  measured: "read by an instrument, or published as such",
+  derived: "computed from measured numbers alone",
+  fitted: "a model's number, adjusted to these data",
+  predicted: "a model's number, not adjusted to what it is compared with",
+};
+const dashOfOrigin = { measured: "solid", derived: "dot", fitted: "dash", predicted: "solid" };
+const strokeOfOrigin = { measured: "", derived: "2 3", fitted: "7 4", predicted: "" };
+
+const ink = "#1b1f24";
+// Told apart by readers with any common colour vision (after Okabe & Ito), darkened
+// where thin lines on white would fade.
+const palette = ["#0072b2", "#d55e00", "#008a63", "#b85c94", "#b07d00", "#4a9fd0",
+                 "#8c564b", "#6a55a8", "#5b7f2b", "#a02c5a"];
+const symbols = ["circle", "square", "diamond", "triangle-up", "cross", "star"];
+const placeOfName = new Map();
+
+/** The same name has the same colour and symbol in every figure of the page. */
+function lookOf(series) {
+  if (series.reference || series.origin === "measured") return { colour: ink, symbol: "circle" };
+  if (!placeOfName.has(series.name)) placeOfName.set(series.name, placeOfName.size);
+  const place = placeOfName.get(series.name);
+  return { colour: palette[place % palette.length], symbol: symbols[place % symbols.length] };
+}
+
+function originTag(origin) {
+  if (!origin) return null;
+  return element("span", { class: `origin origin-${origin}`, title: originMeaning[origin] }, origin);
+}
+
+/** A small picture of the series' line or marker, for the legend. */
+function swatch(series) {
+  const space = "http://www.w3.org/2000/svg";
+  const svg = document.createElementNS(space, "svg");
+  svg.setAttribute("viewBox", "0 0 30 12");
+  svg.setAttribute("aria-hidden", "true");
+  const { colour } = lookOf(series);
+  const add = (name, attributes) => {
+    const shape = document.createElementNS(space, name);
+    for (const [key, value] of Object.entries(attributes)) shape.setAttribute(key, value);
+    svg.append(shape);
+  };
+  if (series.y_low.length > 0) {
+    add("rect", { x: 0, y: 1, width: 30, height: 10, fill: colour, "fill-opacity": 0.18 });
+  }
+  if (series.style === "line") {
+    add("line", { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour, "stroke-width": 2.4,
+                  "stroke-dasharray": strokeOfOrigin[series.origin] });
+  } else {
+    const filled = series.origin === "measured" ? colour : "#fff";
+    add("circle", { cx: 15, cy: 6, r: 4, fill: filled, stroke: colour, "stroke-width": 1.8 });
+  }
+  return svg;
+}
