@@ -23,6 +23,6 @@ literal(page_template "${TEMPLATE}" "" "")
 literal(style "${STYLE}" "" "")
 literal(drawing_library "${LIBRARY}" "" "")
 # One scope for all files of the renderer, and nothing of it on the page's window.
-literal(renderer "${RENDERER}" "(() => {\n\"use strict\"\;\n" "})()\;\n")
+literal(renderer "${RENDERER}" "(() => {\n\"use strict\";\n" "})();\n")
 file(APPEND "${OUTPUT}.part" "}  // namespace rebound::report::embedded\n")
 file(RENAME "${OUTPUT}.part" "${OUTPUT}")

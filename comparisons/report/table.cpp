@@ -31,9 +31,13 @@ TableCell number_cell(double value, int significant_digits) {
   if (significant_digits < 1 || significant_digits > 17) {
     throw Error(ExitCode::bad_input, "significant digits of a table cell lie in 1..17");
   }
-  // '#' keeps trailing zeros, which are significant; it leaves "530." behind.
-  std::string text = fmt::format("{:#.{}g}", value, significant_digits);
-  if (text.back() == '.') text.pop_back();
+  // The exponent after rounding: 9.996 has one more digit before its point.
+  const std::string scientific = fmt::format("{:.{}e}", value, significant_digits - 1);
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  const int decimals = significant_digits - 1 - exponent;
+  const bool plain = exponent >= -4 && exponent < std::max(significant_digits, 6);
+  const std::string text =
+      plain ? fmt::format("{:.{}f}", value, std::max(0, decimals)) : scientific;
   return text_cell(text);
 }
 

@@ -35,7 +35,8 @@ struct Table {
 /// A cell of plain text.
 TableCell text_cell(const std::string& text, TableCell::Verdict verdict = TableCell::Verdict::none);
 
-/// `value` with that many significant digits, e.g. (0.52731, 3) -> "0.527".
+/// `value` with that many significant digits, e.g. (0.52731, 3) -> "0.527"; whole
+/// numbers below a million keep their digits before the point.
 /// Errors: a value that is not finite, or digits outside 1..17.
 TableCell number_cell(double value, int significant_digits);
 

@@ -77,7 +77,7 @@ const Fault faults[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, RefusedReport, testing::ValuesIn(faults),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace rebound::report

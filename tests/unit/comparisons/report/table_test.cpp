@@ -15,6 +15,8 @@ TEST(NumberCell, KeepsSignificantDigits) {
   EXPECT_EQ(number_cell(530.0, 3).text, "530");
   EXPECT_EQ(number_cell(-1.996, 3).text, "-2.00");
   EXPECT_EQ(number_cell(0.0, 2).text, "0.0");
+  EXPECT_EQ(number_cell(9.996, 3).text, "10.0");
+  EXPECT_EQ(number_cell(11369.86, 3).text, "11370");
   EXPECT_EQ(number_cell(2.5e7, 2).text, "2.5e+07");
 }
 

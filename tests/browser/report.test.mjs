@@ -1,0 +1,118 @@
+// The report in a browser: what a reader sees, reaches and can choose.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+import { pagePath, withPage } from "./opened_page.mjs";
+
+const demo = pagePath("demo.html");
+
+const reportOf = (page) => page.evaluate(() => JSON.parse(document.getElementById("data").textContent));
+const curvesOf = (page) => page.$$eval(".overlays .plot", (plots) =>
+  plots.map((plot) => [...plot.querySelectorAll(".scatterlayer path.js-line")].map((path) => path.getAttribute("d")).join()));
+
+for (const name of ["demo.html", "hostile.html"]) {
+  test(`${name} is drawn without a complaint or a request`, () => withPage(pagePath(name), 1280, async ({ page, complaints, requests }) => {
+    assert.equal(await page.getAttribute("html", "data-state"), "ready");
+    assert.deepEqual(complaints, []);
+    assert.deepEqual(requests, []);
+  }));
+}
+
+test("every figure is drawn, with a unit on each axis", () => withPage(demo, 1280, async ({ page }) => {
+  const plots = await page.$$eval(".plot", (places) => places.map((place) => ({
+    svg: place.querySelectorAll("svg.main-svg").length,
+    x: place.querySelector(".xtitle")?.textContent ?? "",
+    y: place.querySelector(".ytitle")?.textContent ?? "",
+    marks: place.querySelectorAll(".scatterlayer .trace").length,
+  })));
+  assert.equal(plots.length, 3);
+  for (const plot of plots) {
+    assert.ok(plot.svg > 0, "no drawing");
+    assert.match(plot.x, /\S \(.+\)$/);
+    assert.match(plot.y, /\S \(.+\)$/);
+    assert.ok(plot.marks >= 2, "series are missing");
+  }
+  assert.equal(plots[0].x, "deflection (mm)");
+  assert.equal(plots[0].y, "force (kN)");
+}));
+
+test("a click on a matrix cell shows its overlay", () => withPage(demo, 1280, async ({ page, complaints }) => {
+  const before = await curvesOf(page);
+  assert.equal(await page.getAttribute(".overlays", "data-shown"), "ball P/15");
+  await page.click('button.cell[aria-label^="linear spring, ball Q 25 m/s"]');
+  assert.equal(await page.getAttribute(".overlays", "data-shown"), "ball Q/25");
+  assert.equal(await page.textContent(".overlays h3"), "ball Q at 25 m/s: linear spring brought forward");
+  const after = await curvesOf(page);
+  assert.equal(after.length, before.length);
+  after.forEach((curve, i) => assert.notEqual(curve, before[i], "the drawing did not change"));
+  const pressed = await page.$$eval('.matrix button[aria-pressed="true"]', (cells) => cells.map((cell) => cell.ariaLabel));
+  assert.equal(pressed.length, 1);
+  assert.match(pressed[0], /^linear spring, ball Q 25 m\/s/);
+  assert.deepEqual(complaints, []);
+}));
+
+test("the matrix is reached and used by keyboard alone", () => withPage(demo, 1280, async ({ page }) => {
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press("Tab");
+    if (await page.evaluate(() => document.activeElement.matches("button.cell"))) break;
+  }
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowDown");
+  const label = await page.evaluate(() => document.activeElement.ariaLabel);
+  assert.match(label, /^Kelvin–Voigt, ζ = 0.1, ball P 15 m\/s/);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  assert.equal(await page.getAttribute(".overlays", "data-shown"), "ball P/25");
+}));
+
+test("matrix cells hold a readable number beside their colour", () => withPage(demo, 1280, async ({ page }) => {
+  const cells = await page.$$eval(".matrix .cell", (nodes) => nodes.map((node) => {
+    const channels = (colour) => colour.match(/[\d.]+/g).slice(0, 3).map(Number);
+    const luminance = (colour) => channels(colour)
+      .map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4))
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+    const style = getComputedStyle(node);
+    const [low, high] = [luminance(style.color), luminance(style.backgroundColor)].sort((a, b) => a - b);
+    return { text: node.textContent, colour: style.backgroundColor, contrast: (high + 0.05) / (low + 0.05) };
+  }));
+  assert.equal(cells.length, 18);
+  for (const cell of cells) {
+    assert.match(cell.text, /^([+-]\d+\.\d|not run)$/);
+    assert.ok(cell.contrast >= 4.5, `${cell.text} has a contrast of ${cell.contrast.toFixed(2)}`);
+  }
+  assert.ok(new Set(cells.map((cell) => cell.colour)).size > 5, "the colours do not follow the values");
+}));
+
+test("the legend hides a series in all figures of its group", () => withPage(demo, 1280, async ({ page }) => {
+  const traces = () => page.$$eval(".overlays .plot", (plots) => plots.map((plot) => plot.querySelectorAll(".scatterlayer .trace").length));
+  const before = await traces();
+  await page.click('.overlays .legend button:has-text("linear spring")');
+  assert.deepEqual(await traces(), before.map((count) => count - 1));
+}));
+
+test("folded sections open and show their text", () => withPage(demo, 1280, async ({ page }) => {
+  assert.equal(await page.isVisible("pre"), false);
+  await page.click("summary");
+  assert.equal(await page.isVisible("pre"), true);
+}));
+
+for (const name of ["demo.html", "hostile.html"]) {
+  test(`${name} fits a telephone`, () => withPage(pagePath(name), 390, async ({ page, complaints }) => {
+    await page.$$eval("details", (all) => all.forEach((details) => { details.open = true; }));
+    const widths = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+    assert.ok(widths[0] <= widths[1], `the page is ${widths[0]} px wide on ${widths[1]} px`);
+    const outside = await page.$$eval(".plot svg.main-svg", (drawings) =>
+      drawings.filter((drawing) => drawing.getBoundingClientRect().right > window.innerWidth).length);
+    assert.equal(outside, 0, "a drawing leaves the page");
+    assert.deepEqual(complaints, []);
+  }));
+}
+
+test("text that looks like markup is shown as text", () => withPage(pagePath("hostile.html"), 1280, async ({ page }) => {
+  const name = "</script><img src=x onerror=alert(1)>&amp;%{x}{{data}}<b>";
+  assert.equal(await page.locator("img").count(), 0);
+  assert.equal(await page.locator("#page b").count(), 0);
+  assert.ok((await page.textContent(".headline")).includes(name));
+  const report = await reportOf(page);
+  assert.equal(report.sections[0].blocks[0].columns[0].group, name);
+}));
