@@ -57,6 +57,13 @@ void check_series(const Place& place, const Series& series) {
                 "a measured series is drawn as points, never as a line");
 }
 
+void check_logarithmic(const Place& place, const Axis& axis, const std::vector<double>& values) {
+  if (axis.spacing == Axis::Spacing::linear) return;
+  for (const double value : values) {
+    place.require(value > 0.0, "a number on a logarithmic axis is not positive");
+  }
+}
+
 void check_figure(const Place& outside, const Figure& figure) {
   const Place place = outside.inside("figure", figure.title);
   place.require(!figure.title.empty(), "no title");
@@ -67,7 +74,10 @@ void check_figure(const Place& outside, const Figure& figure) {
   for (const Series& series : figure.series) {
     place.require(!series.name.empty(), "a series has no name");
     place.require(names.insert(series.name).second, "two series are named \"" + series.name + "\"");
-    check_series(place.inside("series", series.name), series);
+    const Place at = place.inside("series", series.name);
+    check_series(at, series);
+    check_logarithmic(at, figure.x, series.x);
+    check_logarithmic(at, figure.y, series.y);
   }
 }
 

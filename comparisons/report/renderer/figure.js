@@ -38,10 +38,18 @@ function tracesOf(series, figure, faded) {
   return traces;
 }
 
-function axisLayout(axis) {
+/** Ticks of a logarithmic axis: 1, 2, 5 over few decades, powers of ten over many. */
+function logarithmicTicks(values) {
+  const positive = values.filter((value) => value > 0);
+  const decades = Math.log10(Math.max(...positive) / Math.min(...positive));
+  return decades < 2.5 ? "D2" : 1;
+}
+
+function axisLayout(axis, values) {
   return {
     title: { text: drawnText(axisText(axis)), standoff: 8 },
     type: axis.logarithmic ? "log" : "linear",
+    dtick: axis.logarithmic ? logarithmicTicks(values) : undefined,
     automargin: true, showline: true, mirror: true, linecolor: "#8a929b", ticks: "outside",
     tickcolor: "#8a929b", gridcolor: "#eceef0", zeroline: false, exponentformat: "power",
   };
@@ -54,7 +62,8 @@ function drawFigure(place, figure, hidden, highlight) {
   const layout = {
     showlegend: false, hovermode: "closest", margin: { l: 60, r: 14, t: 26, b: 48 },
     font: { family: "system-ui, sans-serif", size: 13, color: ink },
-    xaxis: axisLayout(figure.x), yaxis: axisLayout(figure.y),
+    xaxis: axisLayout(figure.x, shown.flatMap((series) => series.x)),
+    yaxis: axisLayout(figure.y, shown.flatMap((series) => series.y)),
     paper_bgcolor: "#fff", plot_bgcolor: "#fff",
   };
   const options = {
@@ -76,7 +85,7 @@ function describeFigure(figure) {
  * Figures side by side under one legend, whose entries hide and show series in all of
  * them. show() changes what is drawn; what was hidden by name stays hidden.
  */
-function figureGroup() {
+function figureGroup(legendPlace = "above") {
   const legend = element("div", { class: "legend", role: "group", "aria-label": "Series; press to hide or show" });
   const panels = element("div", { class: "panels" });
   const hidden = new Set();
@@ -110,5 +119,6 @@ function figureGroup() {
     return draw;
   }
 
-  return { root: element("div", { class: "figures" }, legend, panels), show };
+  const parts = legendPlace === "above" ? [legend, panels] : [panels, legend];
+  return { root: element("div", { class: "figures" }, ...parts), show };
 }

@@ -26,6 +26,15 @@ function lookOf(series) {
   return { colour: palette[place % palette.length], symbol: symbols[place % symbols.length] };
 }
 
+/** Gives out the looks in the order of the report: the chosen overlay's series first. */
+function assignLooks(report) {
+  const blocks = report.sections.flatMap((section) => section.blocks);
+  const overlays = blocks.filter((block) => block.kind === "overlays").flatMap((block) => block.items);
+  const figures = [...overlays.flatMap((overlay) => overlay.figures),
+                   ...blocks.filter((block) => block.kind === "figure")];
+  figures.forEach((figure) => figure.series.forEach(lookOf));
+}
+
 function originTag(origin) {
   if (!origin) return null;
   return element("span", { class: `origin origin-${origin}`, title: originMeaning[origin] }, origin);

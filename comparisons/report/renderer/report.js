@@ -13,7 +13,7 @@ function renderVerbatim(verbatim) {
 }
 
 function renderLoneFigure(figure, later) {
-  const group = figureGroup();
+  const group = figureGroup("below");
   later.push(group.show([figure]));
   return group.root;
 }
@@ -57,6 +57,7 @@ function originKey() {
 
 function renderReport(report) {
   const later = [];
+  assignLooks(report);
   const head = element("header", {}, element("h1", {}, report.title));
   if (report.subtitle) head.append(element("p", { class: "subtitle" }, report.subtitle));
   head.append(element("p", { class: "headline" }, report.headline), ...report.notices.map(renderNotice),

@@ -59,6 +59,7 @@ const Fault faults[] = {
     {"NotFinite",
      [](Report& r) { first<Figure>(r).series[0].y[1] = std::numeric_limits<double>::quiet_NaN(); },
      "not finite"},
+    {"ZeroOnALogarithmicAxis", [](Report& r) { first<Figure>(r).series[0].y[0] = 0.0; }, "logarithmic"},
     {"ShortErrorBars", [](Report& r) { first<Figure>(r).series[0].y_error = {1.0}; }, "y_error"},
     {"BandMissesLine", [](Report& r) { band(r).y_low[3] = band(r).y[3] + 1.0; }, "enclose"},
     {"HalfABand", [](Report& r) { band(r).y_high.clear(); }, "y_low and y_high"},
