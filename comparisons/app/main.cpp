@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/interruption.hpp"
+#include "comparisons/app/report_error.hpp"
+
+namespace {
+
+using namespace rebound;
+
+/// One CLI11 sub-command per line of the table; `chosen` is set by parsing.
+void declare_all(CLI::App& app, Session& session, Action& chosen) {
+  for (const Command& command : commands()) {
+    CLI::App* sub = app.add_subcommand(command.name, command.summary);
+    sub->add_flag_callback("--json", [&session] { session.format = OutputFormat::json; },
+                           "Print one JSON object on standard output");
+    sub->add_option("--out", session.out, "Folder for results");
+    const Action action = command.declare(*sub);
+    sub->callback([&chosen, action] { chosen = action; });
+  }
+}
+
+int run(int argc, char** argv) {
+  Session session;
+  session.command_line.assign(argv, argv + argc);
+  const auto wants_json = [&] {  // known even when the usage was wrong
+    const auto& line = session.command_line;
+    return std::find(line.begin(), line.end(), "--json") != line.end();
+  };
+  Action action;
+  CLI::App app{"Rebound: reference models of a ball hitting a rigid plate, normal impact, no spin."};
+  app.set_version_flag("--version", REBOUND_VERSION);
+  app.require_subcommand(1);
+  app.footer(exit_code_help());
+  declare_all(app, session, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    const std::string message =
+        fmt::format("{} (`rebound --help` lists what there is)", error.what());
+    return report_error(Error(ExitCode::bad_input, message), wants_json());
+  }
+  try {
+    return static_cast<int>(action(session));
+  } catch (const Error& error) {
+    return report_error(error, session.json());
+  } catch (const std::bad_alloc&) {
+    return report_error(Error(ExitCode::solver_failed, "out of memory"), session.json());
+  } catch (const std::exception& error) {
+    // A library's own exception: nothing is known about it but its text.
+    return report_error(Error(ExitCode::solver_failed, error.what()), session.json());
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  rebound::watch_for_interruption();
+  return run(argc, argv);
+}

@@ -1,0 +1,53 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/describe_lumped.hpp"
+#include "comparisons/config/schema_writer.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+struct Format {
+  std::string name;
+  Json (*schema)();
+};
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> list{
+      {"lumped", [] { return json_schema<LumpedProblem>("Impact file, lumped tier"); }},
+      {"fem", [] { return json_schema<FemProblem>("Impact file, FE tier"); }},
+  };
+  return list;
+}
+
+ExitCode run_schema(const Session& session, const std::string& name) {
+  for (const Format& format : formats()) {
+    if (format.name != name) continue;
+    const std::string text = dump(format.schema());
+    if (session.out.empty()) {
+      fmt::print("{}", text);
+    } else {
+      make_writable_folder(session.out);
+      write_file_atomically(session.out / (name + ".schema.json"), text);
+    }
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_schema(CLI::App& command) {
+  std::vector<std::string> names;
+  for (const Format& format : formats()) names.push_back(format.name);
+  const auto name = std::make_shared<std::string>();
+  command.add_option("FORMAT", *name, "Which file")->required()->check(CLI::IsMember(names));
+  command.footer(exit_code_help());
+  return [name](const Session& session) { return run_schema(session, *name); };
+}
+
+}  // namespace rebound

@@ -1,0 +1,128 @@
+#include "comparisons/config/describe_fem.hpp"
+
+#include "comparisons/config/describe_impact.hpp"
+
+namespace rebound {
+
+void describe(Visitor& visit, PronyBranch& branch) {
+  visit.number({.name = "ratio",
+                .sentence = "With an instantaneous modulus the share of it that relaxes (shares "
+                            "sum below 1); with a long-term modulus the branch over it.",
+                .range = at_least(0.0)},
+               branch.ratio);
+  visit.number({.name = "relaxation_time",
+                .sentence = "Time constant of the branch.",
+                .unit = "ms",
+                .range = above(0.0)},
+               branch.relaxation_time);
+  visit.choice<Relaxes>({.name = "relaxes",
+                         .sentence = "All of the stress (Poisson ratio constant) or the deviator "
+                                     "alone (bulk modulus constant).",
+                         .presence = Presence::optional},
+                        {{"all", Relaxes::all}, {"deviator", Relaxes::deviator}}, branch.relaxes);
+}
+
+void describe(Visitor& visit, Material& material) {
+  visit.choice<ElasticModel>(
+      {.name = "elastic",
+       .sentence = "Stored energy: mu/2 (I1 - 3 - 2 ln J) + lambda/2 (ln J)^2, or "
+                   "mu/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2.",
+       .later = {"mooney-rivlin", "ogden", "hyperfoam"}},
+      {{"neo-hookean", ElasticModel::neo_hookean},
+       {"neo-hookean-isochoric", ElasticModel::neo_hookean_isochoric}},
+      material.elastic);
+  visit.number({.name = "youngs_modulus",
+                .sentence = "Young's modulus at small strain.",
+                .unit = "MPa",
+                .range = above(0.0)},
+               material.youngs_modulus);
+  visit.number({.name = "poisson_ratio",
+                .sentence = "Poisson ratio of the same state; above 0.45 refused by the FE tier, "
+                            "whose elements lock.",
+                .range = between(-1.0, 0.5)},
+               material.poisson_ratio);
+  visit.choice<ModulusBasis>(
+      {.name = "modulus",
+       .sentence = "The state that modulus and Poisson ratio describe.",
+       .presence = Presence::optional},
+      {{"instantaneous", ModulusBasis::instantaneous}, {"long-term", ModulusBasis::long_term}},
+      material.modulus);
+  std::string relaxation = "convolution";
+  visit.text({.name = "relaxation",
+              .sentence = "How branches act: convolution of the second Piola-Kirchhoff stress.",
+              .presence = Presence::optional,
+              .allowed = {"convolution"},
+              .later = {"multiplicative"}},
+             relaxation);
+  visit.list({.name = "branch",
+              .sentence = "One Prony branch; repeat for more.",
+              .presence = Presence::optional},
+             material.branches);
+}
+
+void describe(Visitor& visit, FemControls& controls) {
+  visit.number({.name = "step_safety",
+                .sentence = "Time step over the stable time step.",
+                .presence = Presence::optional,
+                .range = above_up_to(0.0, 1.0)},
+               controls.step_safety);
+  visit.number({.name = "output_interval",
+                .sentence = "Spacing of the trace; 0: a 400th of the Hertz contact time.",
+                .presence = Presence::optional,
+                .unit = "us",
+                .range = at_least(0.0)},
+               controls.output_interval);
+  visit.number({.name = "end_time",
+                .sentence = "Give up when contact lasts longer; 0: 20 Hertz contact times.",
+                .presence = Presence::optional,
+                .unit = "ms",
+                .range = at_least(0.0)},
+               controls.end_time);
+  visit.whole({.name = "field_frames",
+               .sentence = "Number of field outputs over the contact; needs --out.",
+               .presence = Presence::optional,
+               .range = from_to(0.0, 10000.0)},
+              controls.field_frames);
+}
+
+void describe_fem_model(Visitor& visit, FemProblem& problem) {
+  std::string tier = "fem";
+  visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"fem"}}, tier);
+  std::string scheme = "explicit";
+  visit.text({.name = "scheme",
+              .sentence = "Time integration: explicit central differences.",
+              .presence = Presence::optional,
+              .allowed = {"explicit"},
+              .later = {"implicit"}},
+             scheme);
+  visit.text({.name = "mesh",
+              .sentence = "A mesh of your own (Gmsh, groups \"axis\" and \"contact\"), instead of "
+                          "`cells`; a relative path starts at this file's folder.",
+              .presence = Presence::optional},
+             problem.mesh_file);
+  auto cells = problem.mesh_file.empty() ? std::optional(problem.cells) : std::nullopt;
+  visit.whole({.name = "cells",
+               .sentence = "About how many cells the generated mesh has.",
+               .presence = Presence::optional,
+               .range = from_to(20.0, 1e6)},
+              cells);
+  if (cells) problem.cells = *cells;
+  visit.table({.name = "material", .sentence = "What the ball is made of."}, problem.material);
+  visit.not_available("plate", "a plate that moves or rubs is not available in this version");
+  visit.not_available("effect", "effects are not available in this version");
+}
+
+void describe(Visitor& visit, FemProblem& problem) {
+  describe_schema(visit);
+  visit.table({.name = "impact", .sentence = "Normal impact on a plate at rest, no spin."},
+              problem.impact);
+  visit.table({.name = "sphere", .sentence = "The ball."}, problem.sphere);
+  visit.visit_table({.name = "model", .sentence = "The model of the ball."},
+                    [&](Visitor& inner) { describe_fem_model(inner, problem); });
+  visit.table({.name = "controls",
+               .sentence = "Resolution in time, and what is recorded.",
+               .presence = Presence::optional},
+              problem.controls);
+}
+
+}  // namespace rebound

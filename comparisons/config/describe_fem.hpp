@@ -1,0 +1,18 @@
+#pragma once
+
+#include "comparisons/config/visitor.hpp"
+#include "lumped/problem/fem_problem.hpp"
+
+namespace rebound {
+
+void describe(Visitor& visit, PronyBranch& branch);
+void describe(Visitor& visit, Material& material);
+void describe(Visitor& visit, FemControls& controls);
+
+/// The members of `[model]` of an FE impact file.
+void describe_fem_model(Visitor& visit, FemProblem& problem);
+
+/// A whole FE impact file.
+void describe(Visitor& visit, FemProblem& problem);
+
+}  // namespace rebound

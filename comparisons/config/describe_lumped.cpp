@@ -1,0 +1,135 @@
+#include "comparisons/config/describe_lumped.hpp"
+
+#include "comparisons/config/describe_impact.hpp"
+#include "comparisons/config/units.hpp"
+#include "lumped/laws/damping_formulas.hpp"
+#include "lumped/laws/laws.hpp"
+
+namespace rebound {
+namespace {
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawCard& card : all_laws()) names.push_back(card.name);
+  return names;
+}
+
+std::vector<std::string> formula_names() {
+  std::vector<std::string> names;
+  for (const DampingFormula& formula : damping_formulas()) names.push_back(formula.name);
+  return names;
+}
+
+/// `values` already holds the parameters that set the dimension of this one.
+Key key_of(const ParameterCard& card, const ParameterValues& values) {
+  return {.name = card.name,
+          .sentence = card.sentence,
+          .presence = card.default_value ? Presence::optional : Presence::required,
+          .unit = unit_name(card.dimension(values)),
+          .range = {.lowest = card.lowest,
+                    .highest = card.highest,
+                    .lowest_allowed = card.lowest_allowed}};
+}
+
+void visit_parameter(Visitor& visit, const Key& key, std::optional<double> otherwise,
+                     ParameterValues& values) {
+  const auto found = values.find(key.name);
+  std::optional<double> value = found != values.end() ? found->second : otherwise;
+  visit.visit_number(key, value);
+  if (value) values[key.name] = *value;
+}
+
+void describe_parameters(Visitor& visit, LumpedModel& model) {
+  const LawCard& law = find_law(model.law);
+  for (const ParameterCard& card : law.parameters) {
+    Key key = key_of(card, model.parameters);
+    if (card.name == law.damping_parameter) {
+      key.presence = Presence::optional;
+      key.sentence += " Or give restitution and damping_formula.";
+    }
+    visit_parameter(visit, key, card.default_value, model.parameters);
+  }
+}
+
+/// Any of the law's parameters may be given anew at a speed; units follow
+/// from the model's own values where the speed gives no other.
+void describe_at_speed(Visitor& visit, const LumpedModel& model, ParametersAtSpeed& at) {
+  visit.number({.name = "speed",
+                .sentence = "Approach speed these parameters belong to.",
+                .unit = "m/s",
+                .range = above(0.0)},
+               at.speed);
+  ParameterValues known = model.parameters;
+  for (const ParameterCard& card : find_law(model.law).parameters) {
+    Key key = key_of(card, known);
+    key.presence = Presence::optional;
+    visit_parameter(visit, key, std::nullopt, at.parameters);
+    if (at.parameters.contains(card.name)) known[card.name] = at.parameters.at(card.name);
+  }
+}
+
+}  // namespace
+
+void describe(Visitor& visit, LumpedControls& controls) {
+  visit.number({.name = "relative_tolerance",
+                .sentence = "Accuracy asked of the integrator.",
+                .presence = Presence::optional,
+                .range = from_to(1e-13, 1e-3)},
+               controls.relative_tolerance);
+  visit.whole({.name = "samples",
+               .sentence = "Equally spaced samples of the trace over the contact.",
+               .presence = Presence::optional,
+               .range = from_to(3.0, 1e6)},
+              controls.samples);
+}
+
+void describe_lumped_model(Visitor& visit, LumpedModel& model) {
+  std::string tier = "lumped";
+  visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"lumped"}},
+             tier);
+  visit.text({.name = "law", .sentence = "The contact law.", .allowed = law_names()}, model.law);
+  visit.cases(
+      law_names(), model.law,
+      [&](const std::string& law) {
+        model.law = law;
+        model.parameters.clear();
+      },
+      [&](Visitor& inner) { describe_parameters(inner, model); });
+  visit.number({.name = "restitution",
+                .sentence = "Restitution at the impact speed that sets the damping.",
+                .presence = Presence::optional,
+                .range = above_up_to(0.0, 1.0)},
+               model.restitution);
+  visit.text({.name = "damping_formula",
+              .sentence = "How the restitution is turned into damping.",
+              .presence = Presence::optional,
+              .allowed = formula_names()},
+             model.damping_formula);
+  visit.visit_list({.name = "at_speed",
+                    .sentence = "Parameters that were fitted speed by speed; repeat for more.",
+                    .presence = Presence::optional},
+                   {[&] { return model.at_speed.size(); },
+                    [&](std::size_t n) { model.at_speed.resize(n); },
+                    [&](Visitor& inner, std::size_t i) {
+                      ParametersAtSpeed example;
+                      describe_at_speed(inner, model,
+                                        i < model.at_speed.size() ? model.at_speed[i] : example);
+                    }});
+  visit.not_available("plate", "a plate that moves or rubs is not available in this version");
+  visit.not_available("effect", "effects are not available in this version");
+}
+
+void describe(Visitor& visit, LumpedProblem& problem) {
+  describe_schema(visit);
+  visit.table({.name = "impact", .sentence = "Normal impact on a plate at rest, no spin."},
+              problem.impact);
+  visit.table({.name = "sphere", .sentence = "The ball."}, problem.sphere);
+  visit.visit_table({.name = "model", .sentence = "The contact law and its numbers."},
+                    [&](Visitor& inner) { describe_lumped_model(inner, problem.model); });
+  visit.table({.name = "controls",
+               .sentence = "Accuracy and sampling.",
+               .presence = Presence::optional},
+              problem.controls);
+}
+
+}  // namespace rebound

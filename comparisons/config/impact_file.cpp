@@ -1,0 +1,133 @@
+#include "comparisons/config/impact_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/describe_lumped.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/config/units.hpp"
+#include "lumped/laws/make_law.hpp"
+
+namespace rebound {
+namespace {
+
+/// A file for the other tier would fail at its first model key; say instead
+/// what is the matter.
+void check_tier(const Document& document, const std::string& tier, const std::string& other) {
+  const auto written = document.root()["model"]["tier"].value<std::string>();
+  if (written == other)
+    throw document.error_at(
+        "model.tier", fmt::format("this file is for the {0} tier: run `rebound {0}` on it", other),
+        tier);
+}
+
+/// What the laws themselves demand of their parameters together, with the
+/// place in the file added.
+void check_parameters(const Document& document, const LumpedProblem& problem) {
+  try {
+    resolve_parameters(problem.model, problem.impact, problem.sphere);
+  } catch (const Error& error) {
+    throw document.error_at(error.location().key, error.what(), error.location().allowed);
+  }
+  if (!problem.model.restitution && !problem.model.damping_formula.empty())
+    throw document.error_at("model.damping_formula",
+                            "a formula needs the restitution it is to reproduce");
+}
+
+void check_shares(const Document& document, const Material& material) {
+  if (material.modulus != ModulusBasis::instantaneous) return;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < material.branches.size(); ++i) {
+    sum += material.branches[i].ratio;
+    if (sum >= 1.0)
+      throw document.error_at(
+          fmt::format("model.material.branch[{}].ratio", i),
+          fmt::format("the shares of the instantaneous modulus sum to {:.6g}, which leaves no "
+                      "long-term modulus",
+                      sum),
+          "shares that sum below 1");
+  }
+}
+
+/// Speed of shear waves before anything has relaxed.
+double instantaneous_shear_speed(const FemProblem& problem) {
+  const Material& material = problem.material;
+  double modulus = 0.5 * material.youngs_modulus / (1.0 + material.poisson_ratio);
+  if (material.modulus == ModulusBasis::long_term) {
+    double ratios = 0.0;
+    for (const PronyBranch& branch : material.branches) ratios += branch.ratio;
+    modulus *= 1.0 + ratios;
+  }
+  return std::sqrt(modulus / problem.sphere.density());
+}
+
+void check_fem(const Document& document, const FemProblem& problem) {
+  if (problem.impact.separation != SeparationRule::zero_force)
+    throw document.error_at("impact.separation",
+                            "the FE tier finds separation by the force alone", "zero-force");
+  constexpr double highest_poisson_ratio = 0.45;
+  if (problem.material.poisson_ratio > highest_poisson_ratio)
+    throw document.error_at("model.material.poisson_ratio",
+                            "fully integrated elements lock near incompressibility and would "
+                            "give a wrong force",
+                            "-1 < value <= 0.45");
+  check_shares(document, problem.material);
+  const double wave = instantaneous_shear_speed(problem);
+  if (problem.impact.speed >= wave)
+    throw document.error_at(
+        "impact.speed",
+        fmt::format("the speed is {:.3g} times the shear wave speed of the ball, {:.3g} m/s; check "
+                    "the units of speed, modulus ({:.3g} Pa), mass and diameter",
+                    problem.impact.speed / wave, wave, problem.material.youngs_modulus),
+        "speed below the shear wave speed");
+  if (!problem.mesh_file.empty() && document.root()["model"]["cells"])
+    throw document.error_at("model.cells", "the mesh file decides over the cells; give one of "
+                                           "mesh and cells");
+}
+
+}  // namespace
+
+void check_density(const Document& document, const Sphere& sphere) {
+  constexpr double lightest = 50.0;
+  constexpr double heaviest = 20000.0;
+  const double density = sphere.density();
+  if (density >= lightest && density <= heaviest) return;
+  throw document.error_at(
+      "sphere.diameter",
+      fmt::format("with the mass {} this implies a density of {:.3g} kg/m^3; check both units",
+                  format_quantity(sphere.mass, "g"), density),
+      "an implied density of 50 to 20000 kg/m^3");
+}
+
+LumpedProblem read_lumped_problem(const Document& document) {
+  check_tier(document, "lumped", "fem");
+  LumpedProblem problem;
+  read_document(document, problem);
+  check_density(document, problem.sphere);
+  check_parameters(document, problem);
+  return problem;
+}
+
+FemProblem read_fem_problem(const Document& document) {
+  check_tier(document, "fem", "lumped");
+  FemProblem problem;
+  read_document(document, problem);
+  check_density(document, problem.sphere);
+  check_fem(document, problem);
+  const std::filesystem::path mesh = problem.mesh_file;
+  if (!mesh.empty() && mesh.is_relative())
+    problem.mesh_file = (document.folder() / mesh).string();
+  return problem;
+}
+
+LumpedProblem read_lumped_file(const std::filesystem::path& file) {
+  return read_lumped_problem(Document::load(file));
+}
+
+FemProblem read_fem_file(const std::filesystem::path& file) {
+  return read_fem_problem(Document::load(file));
+}
+
+}  // namespace rebound

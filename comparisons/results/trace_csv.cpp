@@ -1,0 +1,47 @@
+#include "comparisons/results/trace_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+std::string trace_csv(const Trace& trace) {
+  std::string text = "time_s,force_N,deflection_m";
+  for (const TraceColumn& column : trace.further) text += "," + column.name;
+  text += "\n";
+  auto out = std::back_inserter(text);
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    fmt::format_to(out, "{:.17g},{:.17g},{:.17g}", trace.time[i], trace.force[i],
+                   trace.deflection[i]);
+    for (const TraceColumn& column : trace.further) fmt::format_to(out, ",{:.17g}", column.values[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energies) {
+  if (energies.size() != trace.time.size())
+    throw Error(ExitCode::solver_failed, "the energies and the trace differ in length");
+  struct Energy {
+    const char* name;
+    double EnergyBook::*member;
+  };
+  constexpr Energy columns[] = {
+      {"kinetic_centre_of_mass_J", &EnergyBook::kinetic_centre_of_mass},
+      {"kinetic_vibration_J", &EnergyBook::kinetic_vibration},
+      {"stored_J", &EnergyBook::stored},
+      {"branches_J", &EnergyBook::branches},
+      {"contact_constraint_J", &EnergyBook::contact_constraint},
+  };
+  Trace with_energies = trace;
+  for (const Energy& column : columns) {
+    TraceColumn& added = with_energies.further.emplace_back(TraceColumn{column.name, {}});
+    for (const EnergyBook& book : energies) added.values.push_back(book.*column.member);
+  }
+  return trace_csv(with_energies);
+}
+
+}  // namespace rebound

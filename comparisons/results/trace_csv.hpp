@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lumped/problem/result.hpp"
+
+namespace rebound {
+
+/// A trace as CSV with 17 significant digits: time_s, force_N, deflection_m,
+/// then whatever further columns it has.
+std::string trace_csv(const Trace& trace);
+
+/// The same with one column per energy, in J.
+/// Errors: Error(solver_failed) when trace and energies differ in length.
+std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energies);
+
+}  // namespace rebound
