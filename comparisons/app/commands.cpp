@@ -5,7 +5,11 @@ namespace rebound {
 const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"lumped", "one trace of a lumped contact law", declare_lumped},
+      {"fem", "one trace of the FE tier", declare_fem},
+      {"mesh", "the sphere mesh, with quality figures", declare_mesh},
+      {"init", "commented files to start from", declare_init},
       {"schema", "JSON schema of a file format", declare_schema},
+      {"doctor", "versions, folders, and a tiny run of each tier", declare_doctor},
   };
   return table;
 }

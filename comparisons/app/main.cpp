@@ -35,7 +35,8 @@ int run(int argc, char** argv) {
     return std::find(line.begin(), line.end(), "--json") != line.end();
   };
   Action action;
-  CLI::App app{"Rebound: reference models of a ball hitting a rigid plate, normal impact, no spin."};
+  CLI::App app{"Rebound: reference models of a ball hitting a rigid plate, normal impact, no spin.",
+               "rebound"};
   app.set_version_flag("--version", REBOUND_VERSION);
   app.require_subcommand(1);
   app.footer(exit_code_help());

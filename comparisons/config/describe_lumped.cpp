@@ -53,19 +53,23 @@ void describe_parameters(Visitor& visit, LumpedModel& model) {
 
 /// Any of the law's parameters may be given anew at a speed; units follow
 /// from the model's own values where the speed gives no other.
-void describe_at_speed(Visitor& visit, const LumpedModel& model, ParametersAtSpeed& at) {
+void describe_at_speed(Visitor& visit, LumpedModel& model, ParametersAtSpeed& at) {
   visit.number({.name = "speed",
                 .sentence = "Approach speed these parameters belong to.",
                 .unit = "m/s",
                 .range = above(0.0)},
                at.speed);
-  ParameterValues known = model.parameters;
-  for (const ParameterCard& card : find_law(model.law).parameters) {
-    Key key = key_of(card, known);
-    key.presence = Presence::optional;
-    visit_parameter(visit, key, std::nullopt, at.parameters);
-    if (at.parameters.contains(card.name)) known[card.name] = at.parameters.at(card.name);
-  }
+  visit.cases(
+      law_names(), model.law, [&](const std::string& law) { model.law = law; },
+      [&](Visitor& inner) {
+        ParameterValues known = model.parameters;
+        for (const ParameterCard& card : find_law(model.law).parameters) {
+          Key key = key_of(card, known);
+          key.presence = Presence::optional;
+          visit_parameter(inner, key, std::nullopt, at.parameters);
+          if (at.parameters.contains(card.name)) known[card.name] = at.parameters.at(card.name);
+        }
+      });
 }
 
 }  // namespace
@@ -88,13 +92,6 @@ void describe_lumped_model(Visitor& visit, LumpedModel& model) {
   visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"lumped"}},
              tier);
   visit.text({.name = "law", .sentence = "The contact law.", .allowed = law_names()}, model.law);
-  visit.cases(
-      law_names(), model.law,
-      [&](const std::string& law) {
-        model.law = law;
-        model.parameters.clear();
-      },
-      [&](Visitor& inner) { describe_parameters(inner, model); });
   visit.number({.name = "restitution",
                 .sentence = "Restitution at the impact speed that sets the damping.",
                 .presence = Presence::optional,
@@ -105,6 +102,13 @@ void describe_lumped_model(Visitor& visit, LumpedModel& model) {
               .presence = Presence::optional,
               .allowed = formula_names()},
              model.damping_formula);
+  visit.cases(
+      law_names(), model.law,
+      [&](const std::string& law) {
+        model.law = law;
+        model.parameters.clear();
+      },
+      [&](Visitor& inner) { describe_parameters(inner, model); });
   visit.visit_list({.name = "at_speed",
                     .sentence = "Parameters that were fitted speed by speed; repeat for more.",
                     .presence = Presence::optional},

@@ -30,13 +30,34 @@ std::string_view line_of(std::string_view text, std::size_t number) {
   return text;
 }
 
-/// The key that a "cannot redefine" message of the parser names, or nothing.
-std::string quoted_key(std::string_view description) {
-  if (description.find("redefine") == std::string_view::npos) return {};
-  const auto open = description.find('\'');
-  const auto close = description.find('\'', open + 1);
-  if (open == std::string_view::npos || close == std::string_view::npos) return {};
-  return std::string(description.substr(open + 1, close - open - 1));
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Key path and value of a line `key = value` the parser stumbled over. The
+/// document has no tree then, so the table is the last header above the line.
+ErrorLocation location_of_line(std::string_view text, std::size_t number) {
+  ErrorLocation location{.line = static_cast<int>(number)};
+  const std::string_view line = line_of(text, number);
+  const auto equals = line.find('=');
+  if (equals == std::string_view::npos) {
+    location.value = std::string(trimmed(line));
+    return location;
+  }
+  location.key = std::string(trimmed(line.substr(0, equals)));
+  location.value = std::string(trimmed(line.substr(equals + 1)));
+  for (std::size_t above = number - 1; above > 0; --above) {
+    const std::string_view header = trimmed(line_of(text, above));
+    if (!header.starts_with('[')) continue;
+    const auto name = header.find_first_not_of('[');
+    const auto end = header.find(']');
+    if (name < end && end != std::string_view::npos)
+      location.key = std::string(header.substr(name, end - name)) + "." + location.key;
+    break;
+  }
+  return location;
 }
 
 }  // namespace
@@ -72,14 +93,14 @@ Document Document::parse(std::string text, std::string name) {
     document.root_ = toml::parse(document.text_, document.name_);
   } catch (const toml::parse_error& error) {
     const auto& at = error.source().begin;
-    const std::string key = quoted_key(error.description());
-    const std::string message =
-        key.empty() ? fmt::format("this is not valid TOML: {}", error.description())
-                    : fmt::format("the key stands twice: {}", error.description());
-    throw Error(ExitCode::bad_input, message,
-                {.file = document.name_, .line = static_cast<int>(at.line),
-                 .column = static_cast<int>(at.column), .key = key,
-                 .value = std::string(line_of(document.text_, at.line))});
+    const bool twice = error.description().find("redefine") != std::string_view::npos;
+    ErrorLocation location = location_of_line(document.text_, at.line);
+    location.file = document.name_;
+    location.column = static_cast<int>(at.column);
+    throw Error(ExitCode::bad_input,
+                fmt::format("{}: {}", twice ? "the key stands twice" : "this is not valid TOML",
+                            error.description()),
+                location);
   }
   return document;
 }
@@ -106,8 +127,24 @@ Error Document::error_at(const toml::source_region& region, const std::string& k
 
 Error Document::error_at(const std::string& key, const std::string& message,
                          const std::string& allowed) const {
-  const auto node = toml::at_path(root_, key);
-  return error_at(node ? node.node()->source() : toml::source_region{}, key, message, allowed);
+  if (const auto node = toml::at_path(root_, key); node && !key.empty())
+    return error_at(node.node()->source(), key, message, allowed);
+  // Not in the file: point at the table it belongs to.
+  ErrorLocation location{.file = name_, .key = key, .allowed = allowed};
+  const auto parent = toml::at_path(root_, key.substr(0, key.find_last_of(".")));
+  if (parent && key.find('.') != std::string::npos) {
+    location.line = static_cast<int>(parent.node()->source().begin.line);
+    location.column = static_cast<int>(parent.node()->source().begin.column);
+  }
+  return {ExitCode::bad_input, message, location};
+}
+
+Error Document::located(const Error& error) const {
+  const ErrorLocation& at = error.location();
+  if (!at.file.empty() || error.code() != ExitCode::bad_input) return error;
+  ErrorLocation location = error_at(at.key, "", at.allowed).location();
+  if (location.value.empty()) location.value = at.value;
+  return {error.code(), error.what(), location};
 }
 
 }  // namespace rebound

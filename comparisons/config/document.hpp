@@ -32,6 +32,10 @@ class Document {
   Error error_at(const std::string& key, const std::string& message,
                  const std::string& allowed = {}) const;
 
+  /// An error of a room that knows key paths but not files, with this file
+  /// and, where the key stands in it, line, column and value added.
+  Error located(const Error& error) const;
+
  private:
   std::string source_text(const toml::source_region& region) const;
 

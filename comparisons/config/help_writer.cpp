@@ -59,13 +59,15 @@ void HelpWriter::visit_table(const Key& key, const std::function<void(Visitor&)>
 void HelpWriter::visit_list(const Key& key, const List& list) {
   text_ += fmt::format("\n[[{}]]  {}\n", path_of(key.name), key.sentence);
   HelpWriter inner(path_of(key.name));
+  inner.one_case_ = true;
   list.visit(inner, 0);
   text_ += inner.text();
 }
 
-void HelpWriter::cases(const std::vector<std::string>& names, const std::string& chosen,
+void HelpWriter::cases(const std::vector<std::string>& names, std::string chosen,
                        const std::function<void(const std::string&)>& choose,
                        const std::function<void(Visitor&)>& body) {
+  if (one_case_) return body(*this);
   for (const std::string& name : names) {
     choose(name);
     text_ += fmt::format("\n  with \"{}\":\n", name);

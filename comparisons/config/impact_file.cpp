@@ -29,7 +29,7 @@ void check_parameters(const Document& document, const LumpedProblem& problem) {
   try {
     resolve_parameters(problem.model, problem.impact, problem.sphere);
   } catch (const Error& error) {
-    throw document.error_at(error.location().key, error.what(), error.location().allowed);
+    throw document.located(error);
   }
   if (!problem.model.restitution && !problem.model.damping_formula.empty())
     throw document.error_at("model.damping_formula",

@@ -19,6 +19,8 @@ std::string range_text(const Key& key) {
   const bool low = std::isfinite(range.lowest);
   const bool high = std::isfinite(range.highest);
   const std::string tail = key.unit.empty() ? "" : " " + key.unit;
+  if (low && range.lowest == range.highest)
+    return fmt::format("{:.6g}{}", range.lowest / factor, tail);
   if (low && high)
     return fmt::format("{:.6g} {} value {} {:.6g}{}", range.lowest / factor,
                        range.lowest_allowed ? "<=" : "<", range.highest_allowed ? "<=" : "<",

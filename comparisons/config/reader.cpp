@@ -146,7 +146,7 @@ void Reader::visit_list(const Key& key, const List& list) {
   }
 }
 
-void Reader::cases(const std::vector<std::string>&, const std::string&,
+void Reader::cases(const std::vector<std::string>&, std::string,
                    const std::function<void(const std::string&)>&,
                    const std::function<void(Visitor&)>& body) {
   body(*this);

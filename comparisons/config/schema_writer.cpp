@@ -89,7 +89,7 @@ void SchemaWriter::visit_list(const Key& key, const List& list) {
   property(key, {{"type", "array"}, {"items", inner.schema()}});
 }
 
-void SchemaWriter::cases(const std::vector<std::string>& names, const std::string& chosen,
+void SchemaWriter::cases(const std::vector<std::string>& names, std::string chosen,
                          const std::function<void(const std::string&)>& choose,
                          const std::function<void(Visitor&)>& body) {
   const bool outside = !inside_case_;

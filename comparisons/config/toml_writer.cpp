@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
+#include <nlohmann/json.hpp>
 
-#include <sstream>
 #include <utility>
 
 #include "comparisons/config/key_text.hpp"
@@ -13,14 +12,11 @@
 namespace rebound {
 namespace {
 
-std::string quoted(const std::string& text) {
-  std::ostringstream stream;
-  stream << toml::value<std::string>(text);
-  return stream.str();
-}
+/// A TOML basic string. JSON escapes the same characters the same way.
+std::string toml_string(const std::string& text) { return nlohmann::json(text).dump(); }
 
 std::string number_text(const Key& key, double value) {
-  if (!key.unit.empty()) return quoted(format_quantity(value, key.unit));
+  if (!key.unit.empty()) return toml_string(format_quantity(value, key.unit));
   const std::string text = format_number(value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
@@ -59,7 +55,7 @@ void TomlWriter::visit_flag(const Key& key, std::optional<bool>& value) {
 
 void TomlWriter::visit_text(const Key& key, std::optional<std::string>& value) {
   // An empty optional text means "not given" in every record.
-  if (value && !(value->empty() && key.presence == Presence::optional)) line(key, quoted(*value));
+  if (value && !(value->empty() && key.presence == Presence::optional)) line(key, toml_string(*value));
 }
 
 void TomlWriter::visit_numbers(const Key& key, std::vector<double>& values) {
@@ -72,7 +68,7 @@ void TomlWriter::visit_numbers(const Key& key, std::vector<double>& values) {
 void TomlWriter::visit_texts(const Key& key, std::vector<std::string>& values) {
   if (values.empty() && key.presence == Presence::optional) return;
   std::vector<std::string> texts;
-  for (const std::string& value : values) texts.push_back(quoted(value));
+  for (const std::string& value : values) texts.push_back(toml_string(value));
   line(key, fmt::format("[{}]", fmt::join(texts, ", ")));
 }
 
@@ -95,7 +91,7 @@ void TomlWriter::visit_list(const Key& key, const List& list) {
   }
 }
 
-void TomlWriter::cases(const std::vector<std::string>&, const std::string&,
+void TomlWriter::cases(const std::vector<std::string>&, std::string,
                        const std::function<void(const std::string&)>&,
                        const std::function<void(Visitor&)>& body) {
   body(*this);

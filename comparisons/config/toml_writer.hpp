@@ -24,7 +24,7 @@ class TomlWriter final : public Visitor {
   void visit_texts(const Key& key, std::vector<std::string>& values) override;
   void visit_table(const Key& key, const std::function<void(Visitor&)>& body) override;
   void visit_list(const Key& key, const List& list) override;
-  void cases(const std::vector<std::string>& names, const std::string& chosen,
+  void cases(const std::vector<std::string>& names, std::string chosen,
              const std::function<void(const std::string&)>& choose,
              const std::function<void(Visitor&)>& body) override;
   void not_available(const std::string& name, const std::string& reason) override;

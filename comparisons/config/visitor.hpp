@@ -83,8 +83,9 @@ class Visitor {
   virtual void visit_list(const Key& key, const List& list) = 0;
 
   /// `body` depends on which of `names` was chosen. A reader visits it as it
-  /// stands; help and schema call `choose` with every name in turn.
-  virtual void cases(const std::vector<std::string>& names, const std::string& chosen,
+  /// stands; help and schema call `choose` with every name in turn, and with
+  /// `chosen` at the end, which is therefore a copy.
+  virtual void cases(const std::vector<std::string>& names, std::string chosen,
                      const std::function<void(const std::string&)>& choose,
                      const std::function<void(Visitor&)>& body) = 0;
 

@@ -19,12 +19,12 @@ enum class ExitCode : int {
 
 /// Where in a user's file an error sits. Absent parts are empty, lines 0.
 struct ErrorLocation {
-  std::string file{};
+  std::string file;
   int line = 0;
   int column = 0;
-  std::string key{};      ///< full key path, e.g. "model.material.poisson_ratio"
-  std::string value{};    ///< as the user wrote it
-  std::string allowed{};  ///< range or list of what would have been accepted
+  std::string key;      ///< full key path, e.g. "model.material.poisson_ratio"
+  std::string value;    ///< as the user wrote it
+  std::string allowed;  ///< range or list of what would have been accepted
 };
 
 /// The one exception type of the suite: a message, an exit code, a location.
