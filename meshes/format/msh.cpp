@@ -220,7 +220,7 @@ void write_elements(std::string& text, const std::vector<Numbers>& elements, con
                     std::size_t& number) {
   for (const Numbers& element : elements) {
     text += std::to_string(++number) + head;
-    for (const int vertex : element) text += " " + std::to_string(vertex + 1);
+    for (const int vertex : element) text.append(" ").append(std::to_string(vertex + 1));
     text += "\n";
   }
 }

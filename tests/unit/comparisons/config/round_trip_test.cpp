@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/describe_lumped.hpp"
+#include "comparisons/config/impact_file.hpp"
+#include "comparisons/config/toml_writer.hpp"
+#include "lumped/laws/laws.hpp"
+
+namespace rebound {
+namespace {
+
+FemProblem every_fem_member_set() {
+  FemProblem problem;
+  problem.sphere = {.mass = 0.1 / 1.1, .diameter = 0.2 / 3.1};
+  problem.impact = {.speed = 17.0 / 3.0};
+  problem.material = {.elastic = ElasticModel::neo_hookean_isochoric,
+                      .youngs_modulus = 1e7 / 3.0,
+                      .poisson_ratio = 1.0 / 3.0,
+                      .modulus = ModulusBasis::long_term,
+                      .branches = {{.ratio = 2.0 / 3.0, .relaxation_time = 1e-3 / 7.0},
+                                   {.ratio = 0.1,
+                                    .relaxation_time = 1e-4,
+                                    .relaxes = Relaxes::deviator}}};
+  problem.cells = 777;
+  problem.controls = {.step_safety = 0.7, .output_interval = 1e-6 / 3.0, .end_time = 0.01 / 3.0,
+                      .field_frames = 12, .field_directory = ""};
+  return problem;
+}
+
+/// Writing what was read gives the same text: every member survived.
+TEST(RoundTripTest, FemProblemKeepsEveryBit) {
+  for (const Comments comments : {Comments::none, Comments::sentences}) {
+    const FemProblem problem = every_fem_member_set();
+    const std::string text = write_toml(problem, comments);
+    const FemProblem read = read_fem_problem(Document::parse(text, "f"));
+    EXPECT_EQ(read.sphere.mass, problem.sphere.mass);
+    EXPECT_EQ(read.sphere.diameter, problem.sphere.diameter);
+    EXPECT_EQ(read.impact.speed, problem.impact.speed);
+    EXPECT_EQ(read.material.elastic, problem.material.elastic);
+    EXPECT_EQ(read.material.youngs_modulus, problem.material.youngs_modulus);
+    EXPECT_EQ(read.material.poisson_ratio, problem.material.poisson_ratio);
+    EXPECT_EQ(read.material.modulus, problem.material.modulus);
+    ASSERT_EQ(read.material.branches.size(), 2u);
+    EXPECT_EQ(read.material.branches[0].ratio, problem.material.branches[0].ratio);
+    EXPECT_EQ(read.material.branches[1].relaxes, Relaxes::deviator);
+    EXPECT_EQ(read.cells, 777);
+    EXPECT_EQ(read.controls.step_safety, 0.7);
+    EXPECT_EQ(read.controls.output_interval, problem.controls.output_interval);
+    EXPECT_EQ(read.controls.end_time, problem.controls.end_time);
+    EXPECT_EQ(read.controls.field_frames, 12);
+    EXPECT_EQ(write_toml(read, comments), text);
+  }
+}
+
+TEST(RoundTripTest, EveryLawKeepsEveryBit) {
+  for (const LawCard& law : all_laws()) {
+    LumpedProblem problem;
+    problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
+    problem.impact = {.speed = 15.0, .separation = SeparationRule::zero_deflection};
+    problem.model.law = law.name;
+    ParametersAtSpeed at{.speed = 5.0, .parameters = {}};
+    for (const ParameterCard& card : law.parameters) {
+      problem.model.parameters[card.name] = card.default_value.value_or(1.0 + 1.0 / 3.0);
+      at.parameters[card.name] = card.default_value.value_or(1.0 + 1.0 / 7.0);
+    }
+    problem.model.at_speed = {at};
+    const std::string text = write_toml(problem);
+    SCOPED_TRACE(text);
+    const LumpedProblem read = read_lumped_problem(Document::parse(text, "f"));
+    EXPECT_EQ(read.model.law, law.name);
+    EXPECT_EQ(read.model.parameters, problem.model.parameters);
+    ASSERT_EQ(read.model.at_speed.size(), 1u);
+    EXPECT_EQ(read.model.at_speed[0].parameters, at.parameters);
+    EXPECT_EQ(read.impact.separation, SeparationRule::zero_deflection);
+    EXPECT_EQ(write_toml(read), text);
+  }
+}
+
+}  // namespace
+}  // namespace rebound
