@@ -126,12 +126,13 @@ inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& devi
 
 inline Real larger(Real a, Real b) { return a > b ? a : b; }
 
-inline Real largest_inverse_eigenvalue(const Symmetric<Real>& inverse) {
+inline Real magnitude(Real a) { return a < 0.0 ? -a : a; }
+
+/// Upper bound of the eigenvalues of C⁻¹; exact when C is diagonal.
+inline Real inverse_eigenvalue_bound(const Symmetric<Real>& inverse) {
   const Real half_sum = 0.5 * (inverse.rr + inverse.zz);
   const Real half_difference = 0.5 * (inverse.rr - inverse.zz);
-  const Real root =
-      square_root(half_difference * half_difference + inverse.rz * inverse.rz);
-  return larger(half_sum + root, inverse.tt);
+  return larger(half_sum + magnitude(half_difference) + magnitude(inverse.rz), inverse.tt);
 }
 
 template <class Elastic>
@@ -148,17 +149,27 @@ CellSummary internal_forces_of(const CellArrays& cells, const BranchStep* branch
     const Corners u = gather(nodes, displacement);
     Corners f;
     for (int i = 0; i < nodes_per_cell; ++i) f.r[i] = f.z[i] = zero;
+    Gradient<Real> gradients[points_per_cell];
+    Real log_jacobians[points_per_cell];
+    const long first_point = static_cast<long>(batch) * points_per_cell;
+    for (int q = 0; q < points_per_cell; ++q) {
+      const Point point =
+          point_geometry(cells.geometry + (first_point + q) * geometry_stride * width);
+      gradients[q] = deformation(point, shape[q], u);
+    }
+    // Four independent chains at once: a logarithm alone waits on itself.
+    for (int q = 0; q < points_per_cell; ++q) log_jacobians[q] = log(jacobian_of(gradients[q]));
     Real growth = zero;
     for (int q = 0; q < points_per_cell; ++q) {
-      const long at = static_cast<long>(batch) * points_per_cell + q;
-      const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
-      const Gradient<Real> gradient = deformation(point, shape[q], u);
-      const Strain<Real> strain = strain_of(gradient);
+      const Point point =
+          point_geometry(cells.geometry + (first_point + q) * geometry_stride * width);
+      const Gradient<Real>& gradient = gradients[q];
+      const Strain<Real> strain = strain_of(gradient, log_jacobians[q]);
       const Symmetric<Real> deviatoric = elastic.deviatoric_stress(strain);
       const Symmetric<Real> volumetric = elastic.volumetric_stress(strain);
       Symmetric<Real> stress =
           combine(long_term_deviatoric, deviatoric, long_term_volumetric, volumetric);
-      double* carried = history + at * cells.branches * history_stride * width;
+      double* carried = history + (first_point + q) * cells.branches * history_stride * width;
       for (int b = 0; b < cells.branches; ++b)
         advance_branch(branches[b], deviatoric, volumetric, carried + b * history_stride * width,
                        stress);
@@ -166,7 +177,7 @@ CellSummary internal_forces_of(const CellArrays& cells, const BranchStep* branch
       smallest_jacobian =
           strain.jacobian < smallest_jacobian ? strain.jacobian : smallest_jacobian;
       growth = larger(growth, elastic.stiffness_growth(
-                                  strain, largest_inverse_eigenvalue(strain.inverse)));
+                                  strain, inverse_eigenvalue_bound(strain.inverse)));
     }
     scatter_add(nodes, f, force);
     const Real at_rest = load<Real>(cells.rest_frequency_squared + batch * width);

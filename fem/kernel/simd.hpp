@@ -12,7 +12,7 @@ namespace rebound::fem {
 template <int width>
 struct VectorOf {
   typedef double Real __attribute__((vector_size(8 * width)));
-  typedef std::int64_t Integer __attribute__((vector_size(8 * width)));
+  typedef std::uint64_t Integer __attribute__((vector_size(8 * width)));
 };
 
 template <class V>
@@ -31,13 +31,6 @@ inline void store(double* p, V v) {
 template <class V, int width = sizeof(V) / 8, class = decltype(V{}[0])>
 using OnlyVector = V;
 
-template <class V>
-inline OnlyVector<V> square_root(V x) {
-  V y = x;
-  for (unsigned i = 0; i < sizeof(V) / 8; ++i) y[i] = __builtin_sqrt(x[i]);
-  return y;
-}
-
 /// Natural logarithm of positive normal numbers.
 ///
 ///   x = 2^k m,  m in [√½, √2);   ln x = k ln 2 + 2 artanh((m − 1)/(m + 1))
@@ -49,29 +42,29 @@ inline OnlyVector<V> log(V x) {
   using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
   Integer bits;
   std::memcpy(&bits, &x, sizeof(V));
-  // Shift so that the exponent field changes at √½ instead of 1.
-  const Integer shifted = bits - 0x3fe6a09e667f3bcd;
-  const Integer k = shifted >> 52;
-  const Integer mantissa_bits = bits - (k << 52);
+  // Shift so that the exponent field changes at √½ instead of 1; the bias
+  // keeps it positive, for AVX2 has no arithmetic shift of 64-bit lanes.
+  const Integer biased_k = (bits - 0x3fe6a09e667f3bcd + 0x3ff0000000000000) >> 52;
+  const Integer mantissa_bits = bits - ((biased_k - 1023) << 52);
   V m;
   std::memcpy(&m, &mantissa_bits, sizeof(V));
-  // Exact conversion of the small integer k: add into the mantissa of 1.5·2^52.
-  const Integer biased = k + 0x4338000000000000;
+  // Exact conversion of a small integer: add it into the mantissa of 2^52.
+  const Integer in_mantissa = biased_k + 0x4330000000000000;
   V exponent;
-  std::memcpy(&exponent, &biased, sizeof(V));
-  exponent -= 6755399441055744.0;
+  std::memcpy(&exponent, &in_mantissa, sizeof(V));
+  exponent -= 4503599627370496.0 + 1023.0;
 
   const V s = (m - 1.0) / (m + 1.0);
   const V s2 = s * s;
-  V sum = s2 * (1.0 / 21.0) + 1.0 / 19.0;
-  sum = sum * s2 + 1.0 / 17.0;
-  sum = sum * s2 + 1.0 / 15.0;
-  sum = sum * s2 + 1.0 / 13.0;
-  sum = sum * s2 + 1.0 / 11.0;
-  sum = sum * s2 + 1.0 / 9.0;
-  sum = sum * s2 + 1.0 / 7.0;
-  sum = sum * s2 + 1.0 / 5.0;
-  sum = sum * s2 + 1.0 / 3.0;
+  // Σ s2^k/(2k+3), k = 0…9, by pairs: short chains instead of one long one.
+  const V s4 = s2 * s2;
+  const V s8 = s4 * s4;
+  const V a = s2 * (1.0 / 5.0) + 1.0 / 3.0;
+  const V b = s2 * (1.0 / 9.0) + 1.0 / 7.0;
+  const V c = s2 * (1.0 / 13.0) + 1.0 / 11.0;
+  const V d = s2 * (1.0 / 17.0) + 1.0 / 15.0;
+  const V e = s2 * (1.0 / 21.0) + 1.0 / 19.0;
+  const V sum = (e * s8 + (d * s4 + c)) * s8 + (b * s4 + a);
   const V tail = s * s2 * sum;
   return exponent * 0.69314718055994530942 + 2.0 * (s + tail);
 }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cmath>
+
 namespace rebound::fem {
+
+using std::exp;
+using std::log;
 
 /// Symmetric tensor of an axisymmetric state without torsion.
 /// T is `double` or a vector of doubles over cells.
@@ -20,11 +25,19 @@ template <class T>
 struct Strain {
   Symmetric<T> right_cauchy_green;
   Symmetric<T> inverse;
-  T jacobian;  ///< J = det F
+  T jacobian;      ///< J = det F
+  T log_jacobian;  ///< ln J
 };
 
 template <class T>
-inline Strain<T> strain_of(const Gradient<T>& f) {
+inline T jacobian_of(const Gradient<T>& f) {
+  return (f.rr * f.zz - f.rz * f.zr) * f.tt;
+}
+
+/// Strain measures of `f`. The caller passes ln J, which it can take for
+/// several points at once.
+template <class T>
+inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian) {
   Strain<T> strain;
   auto& c = strain.right_cauchy_green;
   c.rr = f.rr * f.rr + f.zr * f.zr;
@@ -33,12 +46,21 @@ inline Strain<T> strain_of(const Gradient<T>& f) {
   c.tt = f.tt * f.tt;
   const T in_plane = f.rr * f.zz - f.rz * f.zr;
   strain.jacobian = in_plane * f.tt;
-  const T inverse_determinant = 1.0 / (in_plane * in_plane);
+  strain.log_jacobian = log_jacobian;
+  const T inverse_jacobian = 1.0 / strain.jacobian;  // one division serves both inverses
+  const T inverse_in_plane = inverse_jacobian * f.tt;
+  const T inverse_tt = inverse_jacobian * in_plane;
+  const T inverse_determinant = inverse_in_plane * inverse_in_plane;
   strain.inverse.rr = c.zz * inverse_determinant;
   strain.inverse.zz = c.rr * inverse_determinant;
   strain.inverse.rz = -c.rz * inverse_determinant;
-  strain.inverse.tt = 1.0 / c.tt;
+  strain.inverse.tt = inverse_tt * inverse_tt;
   return strain;
+}
+
+template <class T>
+inline Strain<T> strain_of(const Gradient<T>& f) {
+  return strain_of(f, T(log(jacobian_of(f))));
 }
 
 /// First Piola–Kirchhoff stress P = F S.

@@ -1,11 +1,6 @@
 #pragma once
 
-#include <cmath>
-
 namespace rebound::fem {
-
-using std::exp;
-using std::log;
 
 /// Moduli of an isotropic solid.
 ///

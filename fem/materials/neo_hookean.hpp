@@ -25,41 +25,39 @@ struct NeoHookean {
 
   template <class T>
   Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
-    const T factor = moduli.shear * (1.0 + (2.0 / 3.0) * log(e.jacobian));
+    const T factor = moduli.shear * (1.0 + (2.0 / 3.0) * e.log_jacobian);
     return {moduli.shear - factor * e.inverse.rr, moduli.shear - factor * e.inverse.zz,
             moduli.shear - factor * e.inverse.tt, -factor * e.inverse.rz};
   }
 
   template <class T>
   Symmetric<T> volumetric_stress(const Strain<T>& e) const {
-    const T factor = moduli.bulk * log(e.jacobian);
+    const T factor = moduli.bulk * e.log_jacobian;
     return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt,
             factor * e.inverse.rz};
   }
 
   template <class T>
   T deviatoric_energy(const Strain<T>& e) const {
-    const T log_j = log(e.jacobian);
     const auto& c = e.right_cauchy_green;
-    return moduli.shear * (0.5 * (c.rr + c.zz + c.tt - 3.0) - log_j - log_j * log_j / 3.0);
+    return moduli.shear * (0.5 * (c.rr + c.zz + c.tt - 3.0) - e.log_jacobian - e.log_jacobian * e.log_jacobian / 3.0);
   }
 
   template <class T>
   T volumetric_energy(const Strain<T>& e) const {
-    const T log_j = log(e.jacobian);
-    return 0.5 * moduli.bulk * log_j * log_j;
+    return 0.5 * moduli.bulk * e.log_jacobian * e.log_jacobian;
   }
 
   /// Upper bound of the tangent ∂P/∂F as a quadratic form, over its value at
-  /// rest; drives the stable step. `m` is the largest eigenvalue of C⁻¹.
+  /// rest; drives the stable step. `m` bounds the eigenvalues of C⁻¹ from above.
   template <class T>
   T stiffness_growth(const Strain<T>& e, const T& m) const {
     const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
-    const T geometric = moduli.shear - lame * log(e.jacobian);
+    const T geometric = moduli.shear - lame * e.log_jacobian;
     const T trace = e.inverse.rr + e.inverse.zz + e.inverse.tt;
     return (moduli.shear + (geometric < 0.0 ? -geometric : geometric) * m +
-            (lame < 0.0 ? -lame : lame) * trace) /
-           (2.0 * moduli.shear + 3.0 * (lame < 0.0 ? -lame : lame));
+            (lame < 0.0 ? -lame : lame) * trace) *
+           (1.0 / (2.0 * moduli.shear + 3.0 * (lame < 0.0 ? -lame : lame)));
   }
 };
 

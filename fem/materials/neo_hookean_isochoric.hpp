@@ -23,7 +23,7 @@ struct NeoHookeanIsochoric {
   template <class T>
   Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
     const auto& c = e.right_cauchy_green;
-    const T scale = moduli.shear * exp((-2.0 / 3.0) * log(e.jacobian));
+    const T scale = moduli.shear * exp((-2.0 / 3.0) * e.log_jacobian);
     const T mean = (c.rr + c.zz + c.tt) * (1.0 / 3.0);
     return {scale * (1.0 - mean * e.inverse.rr), scale * (1.0 - mean * e.inverse.zz),
             scale * (1.0 - mean * e.inverse.tt), -scale * mean * e.inverse.rz};
@@ -39,7 +39,7 @@ struct NeoHookeanIsochoric {
   template <class T>
   T deviatoric_energy(const Strain<T>& e) const {
     const auto& c = e.right_cauchy_green;
-    return 0.5 * moduli.shear * (exp((-2.0 / 3.0) * log(e.jacobian)) * (c.rr + c.zz + c.tt) - 3.0);
+    return 0.5 * moduli.shear * (exp((-2.0 / 3.0) * e.log_jacobian) * (c.rr + c.zz + c.tt) - 3.0);
   }
 
   template <class T>
@@ -55,11 +55,11 @@ struct NeoHookeanIsochoric {
     const auto& c = e.right_cauchy_green;
     const T j = e.jacobian;
     const T change = j < 1.0 ? 1.0 - j : j - 1.0;
-    const T shear = moduli.shear * exp((-2.0 / 3.0) * log(j));
+    const T shear = moduli.shear * exp((-2.0 / 3.0) * e.log_jacobian);
     const T trace = e.inverse.rr + e.inverse.zz + e.inverse.tt;
     const T invariant = (c.rr + c.zz + c.tt) * (1.0 / 3.0);
-    return (shear * (1.0 + invariant * m) + moduli.bulk * j * (j * trace + 2.0 * change * trace)) /
-           (2.0 * moduli.shear + 3.0 * moduli.bulk);
+    return (shear * (1.0 + invariant * m) + moduli.bulk * j * (j * trace + 2.0 * change * trace)) *
+           (1.0 / (2.0 * moduli.shear + 3.0 * moduli.bulk));
   }
 };
 

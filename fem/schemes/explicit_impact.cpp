@@ -93,7 +93,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       expected_time_(expected_contact_time(problem, material_.instantaneous)),
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
       recorder_(problem.controls.output_interval > 0 ? problem.controls.output_interval
-                                                     : expected_time_ / 400,
+                                                     : expected_time_ / 200,
                 expected_time_),
       fields_(body, problem, 1.3 * expected_time_),
       first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
