@@ -40,16 +40,25 @@ function tracesOf(series, figure, faded) {
 
 /** Ticks of a logarithmic axis: 1, 2, 5 over few decades, powers of ten over many. */
 function logarithmicTicks(values) {
-  const positive = values.filter((value) => value > 0);
-  const decades = Math.log10(Math.max(...positive) / Math.min(...positive));
-  return decades < 2.5 ? "D2" : 1;
+  const [low, high] = [Math.log10(Math.min(...values)), Math.log10(Math.max(...values))];
+  if (high - low > 2.5) return { dtick: 1 };
+  const ticks = [];
+  for (let power = Math.floor(low) - 1; power <= Math.ceil(high); ++power) {
+    for (const digit of [1, 2, 5]) ticks.push({ digit, power, value: digit * 10 ** power });
+  }
+  return {
+    tickvals: ticks.map((tick) => tick.value),
+    ticktext: ticks.map(({ digit, power, value }) =>
+      (Math.abs(power) <= 2 ? String(Number(value.toPrecision(1)))
+        : `${digit === 1 ? "" : `${digit}×`}10<sup>${power}</sup>`)),
+  };
 }
 
 function axisLayout(axis, values) {
   return {
     title: { text: drawnText(axisText(axis)), standoff: 8 },
     type: axis.logarithmic ? "log" : "linear",
-    dtick: axis.logarithmic ? logarithmicTicks(values) : undefined,
+    ...(axis.logarithmic && values.length > 0 ? logarithmicTicks(values) : {}),
     automargin: true, showline: true, mirror: true, linecolor: "#8a929b", ticks: "outside",
     tickcolor: "#8a929b", gridcolor: "#eceef0", zeroline: false, exponentformat: "power",
   };

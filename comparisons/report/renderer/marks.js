@@ -40,13 +40,23 @@ function originTag(origin) {
   return element("span", { class: `origin origin-${origin}`, title: originMeaning[origin] }, origin);
 }
 
+/** The drawing library's symbols, as paths around (15, 6). */
+const symbolPaths = {
+  circle: "M19 6a4 4 0 1 1-8 0a4 4 0 1 1 8 0Z",
+  square: "M11.5 2.5h7v7h-7Z",
+  diamond: "M15 1l4.6 5L15 11l-4.6-5Z",
+  "triangle-up": "M15 1.6l4.6 8h-9.2Z",
+  cross: "M13.4 1.4h3.2v3h3v3.2h-3v3h-3.2v-3h-3V4.4h3Z",
+  star: "M15 .8l1.3 3.6 3.8.1-3 2.3 1.1 3.7L15 8.3l-3.2 2.2 1.1-3.7-3-2.3 3.8-.1Z",
+};
+
 /** A small picture of the series' line or marker, for the legend. */
 function swatch(series) {
   const space = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(space, "svg");
   svg.setAttribute("viewBox", "0 0 30 12");
   svg.setAttribute("aria-hidden", "true");
-  const { colour } = lookOf(series);
+  const { colour, symbol } = lookOf(series);
   const add = (name, attributes) => {
     const shape = document.createElementNS(space, name);
     for (const [key, value] of Object.entries(attributes)) shape.setAttribute(key, value);
@@ -60,7 +70,7 @@ function swatch(series) {
                   "stroke-dasharray": strokeOfOrigin[series.origin] });
   } else {
     const filled = series.origin === "measured" ? colour : "#fff";
-    add("circle", { cx: 15, cy: 6, r: 4, fill: filled, stroke: colour, "stroke-width": 1.8 });
+    add("path", { d: symbolPaths[symbol], fill: filled, stroke: colour, "stroke-width": 1.8 });
   }
   return svg;
 }
