@@ -72,12 +72,12 @@ function matrixKey(matrix) {
   const bar = element("span", { class: "bar", "aria-hidden": "true" });
   bar.style.background = `linear-gradient(to right, ${anchors.join(",")})`;
   const unit = unitSuffix(matrix.unit);
+  const [low, high] = matrix.diverging ? [`≤ −${matrix.limit}`, `≥ +${matrix.limit}`] : ["0", `≥ ${matrix.limit}`];
   const key = element("p", { class: "matrix-key" }, element("span", {}, `${matrix.quantity}:`),
-    element("span", {}, matrix.diverging ? `≤ −${matrix.limit}${unit}` : `0${unit}`), bar,
-    element("span", {}, matrix.diverging ? `≥ +${matrix.limit}${unit}` : `≥ ${matrix.limit}${unit}`));
+    element("span", { class: "scale" }, `${low}${unit}`, bar, `${high}${unit}`));
   if (matrix.rows.some((row) => row.cells.some((cell) => cell.hatched))) {
-    key.append(element("span", { class: "cell hatched sample", "aria-hidden": "true" }),
-      element("span", {}, matrix.hatching));
+    key.append(element("span", { class: "scale" },
+      element("span", { class: "cell hatched sample", "aria-hidden": "true" }), matrix.hatching));
   }
   return key;
 }
