@@ -2,16 +2,34 @@
 
 #include "fem/discretisation/discretisation.hpp"
 #include "fem/schemes/explicit_impact.hpp"
+#include "lumped/problem/error.hpp"
 #include "lumped/problem/modules.hpp"
 
 namespace {
 
+class ExplicitFemBody final : public rebound::FemBody {
+ public:
+  ExplicitFemBody(const rebound::Mesh& mesh, double mass)
+      : body_(rebound::fem::discretise(mesh, mass)), mass_(mass) {}
+
+  rebound::FemResult simulate(const rebound::FemProblem& problem,
+                              const rebound::RunControl& control) const override {
+    if (problem.sphere.mass != mass_)
+      throw rebound::Error(rebound::ExitCode::bad_input,
+                           "the body was prepared for another mass", {.key = "sphere.mass"});
+    return rebound::fem::run_explicit_impact(body_, problem, control);
+  }
+
+ private:
+  rebound::fem::Discretisation body_;
+  double mass_;
+};
+
 class ExplicitFemTier final : public rebound::FemTier {
  public:
-  rebound::FemResult simulate(const rebound::FemProblem& problem, const rebound::Mesh& mesh,
-                              const rebound::RunControl& control) const override {
-    const auto body = rebound::fem::discretise(mesh, problem.sphere.mass);
-    return rebound::fem::run_explicit_impact(body, problem, control);
+  std::shared_ptr<const rebound::FemBody> prepare(const rebound::Mesh& mesh,
+                                                  double mass) const override {
+    return std::make_shared<ExplicitFemBody>(mesh, mass);
   }
   std::string versions() const override {
     return std::string("deal.II ") + DEAL_II_PACKAGE_VERSION + ", kernel " +

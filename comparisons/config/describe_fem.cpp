@@ -67,7 +67,7 @@ void describe(Visitor& visit, FemControls& controls) {
                 .range = above_up_to(0.0, 1.0)},
                controls.step_safety);
   visit.number({.name = "output_interval",
-                .sentence = "Spacing of the trace; 0: a 400th of the Hertz contact time.",
+                .sentence = "Spacing of the trace; 0: a 200th of the Hertz contact time.",
                 .presence = Presence::optional,
                 .unit = "us",
                 .range = at_least(0.0)},

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/mesh.hpp"
 #include "lumped/problem/result.hpp"
@@ -10,16 +13,30 @@
 /// so that the program itself links no deal.II, no Gmsh and no MPI.
 namespace rebound {
 
-/// Module "rebound_fem": one FE impact on a given mesh.
+/// A body cut into cells, ready for any number of impacts. The object is not
+/// changed by them: several may run at once.
+class FemBody {
+ public:
+  virtual ~FemBody() = default;
+
+  /// Runs one impact. Interruption returns a result marked incomplete; a
+  /// solver failure does the same, so that what was known can be written.
+  /// Errors: Error(bad_input) for a problem outside the tier's range.
+  virtual FemResult simulate(const FemProblem& problem, const RunControl& control) const = 0;
+};
+
+/// Module "rebound_fem": FE impacts on a given mesh.
 class FemTier {
  public:
   virtual ~FemTier() = default;
 
-  /// Runs the impact. Interruption returns a result marked incomplete;
-  /// a solver failure does the same, so that what was known can be written.
-  /// Errors: Error(bad_input) for a problem or mesh outside the tier's range.
-  virtual FemResult simulate(const FemProblem& problem, const Mesh& mesh,
-                             const RunControl& control) const = 0;
+  /// Errors: Error(bad_input) for a mesh that cannot be used.
+  virtual std::shared_ptr<const FemBody> prepare(const Mesh& mesh, double mass) const = 0;
+
+  /// One impact on a mesh of its own.
+  FemResult simulate(const FemProblem& problem, const Mesh& mesh, const RunControl& control) const {
+    return prepare(mesh, problem.sphere.mass)->simulate(problem, control);
+  }
 
   /// Versions of what the module was built with, for provenance.
   virtual std::string versions() const = 0;

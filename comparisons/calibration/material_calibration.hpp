@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "comparisons/calibration/calibration_problem.hpp"
+#include "lumped/problem/fem_problem.hpp"
+#include "lumped/problem/result.hpp"
+
+namespace rebound {
+
+/// One measured impact that a material is fitted to.
+struct MeasuredImpact {
+  Impact impact;
+  double restitution = 0.0;
+  double restitution_uncertainty = 0.0;   ///< one standard deviation
+  double contact_time = 0.0;              ///< [s]
+  double contact_time_uncertainty = 0.0;  ///< one standard deviation [s]
+  double contact_threshold = 0.0;         ///< force at which the instrument starts and stops [N]
+};
+
+/// A number of the material that may move.
+enum class MaterialUnknown { youngs_modulus, branch_ratio, branch_time };
+
+struct FreeMaterialNumber {
+  MaterialUnknown what = MaterialUnknown::branch_ratio;
+  int branch = 0;       ///< which branch, from 0; of no account for the modulus
+  double lowest = 0.0;  ///< SI
+  double highest = 0.0;
+};
+
+/// Runs one FE impact; the caller holds mesh and module. Called from several
+/// threads at once.
+using FemRunner = std::function<FemResult(const FemProblem&)>;
+
+/// A fitted material and the FE impacts it gives.
+struct MaterialCalibration {
+  Material material;
+  CalibrationResult fit;  ///< estimates in SI, by names such as "branch 1 ratio"
+};
+
+/// Fits numbers of a viscoelastic material to measured restitutions and
+/// contact times, FE impact by FE impact. Peak force and deflections take no
+/// part: they are left as a check.
+///
+///   residuals  (e_FE − e)/σ_e,  (t_FE − t)/σ_t,   t_FE the time that the FE
+///   force spends above the instrument's threshold
+///
+/// The unknowns are all positive and are searched as logarithms; intervals
+/// are those of the logarithm, carried back.
+/// Valid:   `problem` gives sphere, controls and the material to start from.
+/// Limit:   recovers a material from its own impacts
+///          -> test MaterialCalibrationTest.RecoversABranch.
+/// Caution: the mesh must be the same in every run of a fit, or the residuals
+///          jump; step noise of the explicit scheme sets the difference step.
+/// Errors:  Error(bad_input) for no impacts or unknowns, a start outside its
+///          bounds, or fewer data than unknowns.
+MaterialCalibration calibrate_material(const FemProblem& problem,
+                                       const std::vector<MeasuredImpact>& measured,
+                                       const std::vector<FreeMaterialNumber>& free,
+                                       const FemRunner& run, const RunControl& control = {});
+
+/// FE impacts of one material at all measured speeds, two at a time.
+std::vector<FemResult> run_impacts(const FemProblem& problem, const std::vector<Impact>& impacts,
+                                   const FemRunner& run);
+
+}  // namespace rebound
