@@ -21,6 +21,18 @@ struct SampleView {
   std::span<double> deflection;  ///< [m]
 };
 
+/// State at one end of a step of FastIntegrator.
+struct Knot {
+  double u;             ///< √x [√m]
+  double v;             ///< closing speed, dx/dt = du/dτ [m/s]
+  double acceleration;  ///< dv/dτ [√m m/s²]
+  double t;             ///< time [s]
+  double step;          ///< to the next knot, in τ [s/√m]
+
+  HermiteEnd root() const { return {u, v, acceleration}; }     ///< u(τ)
+  HermiteEnd clock() const { return {t, 2.0 * u, 2.0 * v}; }   ///< t(τ)
+};
+
 /// Integrates one impact in a few microseconds, compiled for the law, without
 /// allocating.
 ///
@@ -55,13 +67,13 @@ class FastIntegrator {
 
   const ContactEnd& end() const { return end_; }
 
+  /// Ends of the steps taken, from first touch to separation.
+  std::span<const Knot> knots() const { return {knot_.data(), static_cast<std::size_t>(knots_)}; }
+
  private:
   enum State { u, v, t, impulse, dissipated, states };
   using Step = DormandPrinceStep<states>;
   using Values = typename Step::State;
-  struct Knot {
-    double u, v, acceleration, t, step;  // step: to the next knot, in τ
-  };
 
   Values field(const Values& y) const {
     const double x = y[u] * std::abs(y[u]);

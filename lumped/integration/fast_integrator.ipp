@@ -130,10 +130,8 @@ std::size_t FastIntegrator<Law>::sample_in_time(const Knot& left, const Knot& ri
 template <ContactLaw Law>
 std::size_t FastIntegrator<Law>::sample_near_end(const Knot& left, const Knot& right,
                                                  std::size_t i, const SampleView& samples) const {
-  const auto root_of = [](const Knot& k) { return HermiteEnd{k.u, k.v, k.acceleration}; };
-  const auto clock_of = [](const Knot& k) { return HermiteEnd{k.t, 2.0 * k.u, 2.0 * k.v}; };
-  const Quintic root(root_of(left), root_of(right), left.step);
-  const Quintic clock(clock_of(left), clock_of(right), left.step);
+  const Quintic root(left.root(), right.root(), left.step);
+  const Quintic clock(left.clock(), right.clock(), left.step);
   for (; i + 1 < samples.time.size() && instant(i, samples) < right.t; ++i) {
     const double target = instant(i, samples);
     const double fraction = (target - left.t) / (right.t - left.t);

@@ -3,35 +3,15 @@
 #include <chrono>
 #include <cmath>
 
+#include "lumped/integration/checked_setup.hpp"
 #include "lumped/integration/cvode_integrator.hpp"
 #include "lumped/integration/fast_integrator.hpp"
 #include "lumped/laws/make_law.hpp"
-#include "lumped/problem/error.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound {
 
 namespace {
-
-// Fewer samples leave the parabola through the highest one a poor peak.
-constexpr int fewest_samples = 50;
-constexpr int most_samples = 10'000'000;
-
-ContactSetup checked_setup(const LumpedProblem& problem) {
-  const auto& controls = problem.controls;
-  if (!(controls.relative_tolerance >= 1e-13 && controls.relative_tolerance <= 1e-4))
-    throw Error(ExitCode::bad_input, "relative tolerance out of range",
-                {.key = "controls.relative_tolerance",
-                 .value = std::to_string(controls.relative_tolerance),
-                 .allowed = "[1e-13, 1e-4]"});
-  if (controls.samples < fewest_samples || controls.samples > most_samples)
-    throw Error(ExitCode::bad_input, "number of samples out of range",
-                {.key = "controls.samples", .value = std::to_string(controls.samples),
-                 .allowed = "[50, 10000000]"});
-  return {.mass = problem.sphere.mass, .speed = problem.impact.speed,
-          .separation = problem.impact.separation,
-          .relative_tolerance = controls.relative_tolerance};
-}
 
 Closures close_books(const AnyLaw& law, const ContactSetup& setup, const ContactEnd& end) {
   const double brought = 0.5 * setup.mass * setup.speed * setup.speed;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <ceres/cost_function.h>
+
+#include <exception>
+
+#include "comparisons/calibration/calibration_problem.hpp"
+
+namespace rebound {
+
+/// Ceres' view of a calibration: residuals and differenced Jacobian, in the
+/// scaled unknowns y = x / scale.
+///
+/// Central differences, one-sided where a bound is nearer than a step or where
+/// the model has no answer on one side. Ceres' own numeric derivatives step
+/// relative to the value, which fails at zero and does not respect bounds.
+class DifferencedCost final : public ceres::CostFunction {
+ public:
+  DifferencedCost(const CalibrationProblem& problem, int residuals);
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override;
+
+  int evaluations() const { return evaluations_; }
+  /// An error other than "no answer here", to be thrown once Ceres has returned.
+  std::exception_ptr failure() const { return failure_; }
+
+ private:
+  /// Residuals at y; false where the model has no answer.
+  bool residuals_at(const std::vector<double>& y, std::vector<double>& residuals) const;
+  bool difference(std::vector<double>& y, std::size_t j, const std::vector<double>& centre,
+                  std::vector<double>& slope) const;
+
+  const CalibrationProblem& problem_;
+  mutable int evaluations_ = 0;
+  mutable std::exception_ptr failure_;
+};
+
+}  // namespace rebound

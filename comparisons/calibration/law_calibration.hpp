@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/calibration/reference_shot.hpp"
+#include "lumped/problem/lumped_problem.hpp"
+
+/// Calibrations of lumped laws to reference traces, on the force–deflection
+/// curve: residual = [F_model(x, branch) − F_ref]/σ at every sample of the
+/// reference, x its deflection. The model is integrated (output error: nothing
+/// of the reference but its deflection enters the model).
+namespace rebound {
+
+/// Weight of a sample where the force uncertainty is unknown.
+enum class Weighting {
+  absolute,  ///< every newton counts the same: fast impacts dominate
+  of_peak,   ///< every trace counts the same: forces over its own peak
+};
+
+struct LawCalibrationOptions {
+  Weighting weighting = Weighting::absolute;
+  /// Samples within this share of the largest deflection are left out: a force–
+  /// deflection curve is vertical at its turning point, where the smallest
+  /// difference in deflection would count as any difference in force.
+  double tip_margin = 0.01;
+  CalibrationControls controls;
+};
+
+/// A calibrated law, ready to be simulated, and how it was found.
+struct LawCalibration {
+  LumpedModel model;
+  CalibrationResult fit;
+};
+
+/// One stiffness κ over all shots; the damping of each shot follows from its
+/// restitution by the formula, λ = p(e) κ/v₀, as the sliotar paper did with
+/// formula "hunt-crossley" (its Eq. (8)); "exact" repairs what that formula
+/// loses at e = 0.5.
+///
+/// The model carries κ and one at_speed entry a shot.
+/// Limit:  recovers κ of synthesised traces -> test LawCalibrationTest.RecoversStiffness.
+/// Errors: Error(bad_input) for no shots, shots without samples, restitution
+///         outside (0, 1], an unknown formula.
+LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
+                                       const std::string& damping_formula,
+                                       const LawCalibrationOptions& options = {});
+
+/// The paper's equivalent Kelvin–Voigt: κ and λ of a calibrated Hunt–Crossley
+/// law, frozen at the mean deflection x_R of each reference (Eq. 15). Nothing
+/// is fitted anew; the model carries one at_speed entry a shot.
+LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
+                                         const std::vector<ReferenceShot>& shots);
+
+/// Any law of the list, one value of each free parameter over all shots. Free
+/// are the parameters of the card that are not in `fixed`; a parameter with a
+/// default is free only if named in `also_free`.
+///
+/// Starts come from the traces by dimension alone: a stiffness as peak force
+/// over peak deflection to its power, a damping as a third of that over the
+/// approach speed.
+/// Errors: Error(bad_input) as above, or for nothing left to fit.
+LawCalibration calibrate_law(const std::string& law, const std::vector<ReferenceShot>& shots,
+                             const ParameterValues& fixed,
+                             const std::vector<std::string>& also_free = {},
+                             const LawCalibrationOptions& options = {});
+
+}  // namespace rebound

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "lumped/problem/lumped_problem.hpp"
+#include "lumped/problem/trace.hpp"
+
+namespace rebound {
+
+enum class Branch { loading, unloading };
+
+/// Points of a force–deflection curve at which a force is wanted.
+struct DeflectionPoints {
+  std::vector<double> deflection;  ///< [m]
+  std::vector<Branch> branch;
+};
+
+/// The deflections of a trace, loading up to the largest one.
+DeflectionPoints deflection_points(const Trace& trace);
+
+/// The law's own force at given deflections, in newtons, from the fast
+/// integrator's steps: v where u(τ) = √x on the branch, then F(x, v).
+///
+/// Beyond the law's largest deflection the force at its turning point is
+/// returned, before a branch's open end the force there: continuous whatever
+/// is asked, so that a fit can walk through it.
+///
+/// Valid:   every law, both separation rules.
+/// Limit:   the implicit v–x relation of Hunt–Crossley
+///          -> test ForceDeflectionTest.FollowsTheImplicitRelation.
+/// Caution: dF/dx is infinite at the turning point of a damped law.
+/// Errors:  as simulate_fast().
+std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoints& points);
+
+}  // namespace rebound
