@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/calibration/force_deflection_residuals.hpp"
-#include "comparisons/calibration/unit_text.hpp"
+#include "comparisons/config/units.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/error.hpp"
@@ -42,7 +42,7 @@ double guess_of(const ParameterCard& card, const ParameterValues& values,
 CalibrationParameter unknown(const ParameterCard& card, const ParameterValues& values,
                              double guess) {
   const bool number = card.dimension(values) == dimension::none;
-  CalibrationParameter p{.name = card.name, .unit = unit_text(card.dimension(values)),
+  CalibrationParameter p{.name = card.name, .unit = unit_name(card.dimension(values)),
                          .start = guess,
                          .lowest = number ? card.lowest : guess * 1e-4,
                          .highest = number ? card.highest : guess * 1e4,

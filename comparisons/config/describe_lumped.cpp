@@ -78,12 +78,12 @@ void describe(Visitor& visit, LumpedControls& controls) {
   visit.number({.name = "relative_tolerance",
                 .sentence = "Accuracy asked of the integrator.",
                 .presence = Presence::optional,
-                .range = from_to(1e-13, 1e-3)},
+                .range = from_to(1e-13, 1e-4)},
                controls.relative_tolerance);
   visit.whole({.name = "samples",
                .sentence = "Equally spaced samples of the trace over the contact.",
                .presence = Presence::optional,
-               .range = from_to(3.0, 1e6)},
+               .range = from_to(50.0, 1e6)},
               controls.samples);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Fewer samples leave the parabola through the highest one a poor peak.
 constexpr int fewest_samples = 50;
-constexpr int most_samples = 10'000'000;
+constexpr int most_samples = 1'000'000;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ ContactSetup checked_setup(const LumpedProblem& problem) {
   if (controls.samples < fewest_samples || controls.samples > most_samples)
     throw Error(ExitCode::bad_input, "number of samples out of range",
                 {.key = "controls.samples", .value = std::to_string(controls.samples),
-                 .allowed = "[50, 10000000]"});
+                 .allowed = "[50, 1000000]"});
   return {.mass = problem.sphere.mass, .speed = problem.impact.speed,
           .separation = problem.impact.separation,
           .relative_tolerance = controls.relative_tolerance};

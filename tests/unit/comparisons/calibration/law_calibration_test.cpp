@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "comparisons/calibration/unit_text.hpp"
 #include "lumped/integration/closed_forms.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
@@ -180,14 +179,6 @@ TEST(LawCalibrationTest, RefusesWhatCannotBeFitted) {
   EXPECT_THROW(calibrate_law("hunt-crossley", shots, {{"colour", 3e6}}), Error);
   shots[1].trace.deflection.clear();
   EXPECT_THROW(calibrate_hunt_crossley(shots, "exact"), Error);
-}
-
-TEST(UnitTextTest, WritesContactUnits) {
-  EXPECT_EQ(unit_text({1, -0.5, -2}), "N/m^1.5");
-  EXPECT_EQ(unit_text({1, -1.5, -1}), "N.s/m^2.5");
-  EXPECT_EQ(unit_text(dimension::force), "N");
-  EXPECT_EQ(unit_text(dimension::length), "m");
-  EXPECT_EQ(unit_text(dimension::none), "");
 }
 
 }  // namespace
