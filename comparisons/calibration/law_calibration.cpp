@@ -51,6 +51,29 @@ CalibrationParameter unknown(const ParameterCard& card, const ParameterValues& v
   return p;
 }
 
+/// Parameters that belong to one speed; repeated shots at a speed share their
+/// mean, since a law can have one value there only.
+class PerSpeed {
+ public:
+  void add(double speed, const ParameterValues& values) {
+    for (auto& [entry, count] : entries_) {
+      if (std::abs(entry.speed - speed) > 1e-6 * speed) continue;
+      ++count;
+      for (auto& [name, mean] : entry.parameters) mean += (values.at(name) - mean) / count;
+      return;
+    }
+    entries_.push_back({{speed, values}, 1});
+  }
+  std::vector<ParametersAtSpeed> list() const {
+    std::vector<ParametersAtSpeed> all;
+    for (const auto& [entry, count] : entries_) all.push_back(entry);
+    return all;
+  }
+
+ private:
+  std::vector<std::pair<ParametersAtSpeed, int>> entries_;
+};
+
 const ReferenceShot& fastest(const std::vector<ReferenceShot>& shots) {
   return *std::max_element(shots.begin(), shots.end(), [](const auto& a, const auto& b) {
     return a.impact.speed < b.impact.speed;
@@ -85,12 +108,13 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
   calibration.model.law = "hunt-crossley";
   const double stiffness = calibration.fit.estimates[0].value;
   calibration.model.parameters = {{"exponent", 1.5}, {"stiffness", stiffness}};
+  PerSpeed damping;
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const auto values =
         resolve_parameters(model_at(stiffness, i), shots[i].impact, shots[i].sphere);
-    calibration.model.at_speed.push_back(
-        {shots[i].impact.speed, {{"damping", values.at("damping")}}});
+    damping.add(shots[i].impact.speed, {{"damping", values.at("damping")}});
   }
+  calibration.model.at_speed = damping.list();
   return calibration;
 }
 
@@ -98,14 +122,15 @@ LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
                                          const std::vector<ReferenceShot>& shots) {
   LumpedModel model;
   model.law = "equivalent-kelvin-voigt";
+  PerSpeed linear;
   for (const auto& shot : shots) {
     const auto values = resolve_parameters(hunt_crossley, shot.impact, shot.sphere);
     model.parameters["exponent"] = values.at("exponent");
     model.parameters["stiffness"] = values.at("stiffness");
-    model.at_speed.push_back({shot.impact.speed,
-                              {{"damping", values.at("damping")},
-                               {"representative_deflection", shot.scalars.mean_deflection}}});
+    linear.add(shot.impact.speed, {{"damping", values.at("damping")},
+                                   {"representative_deflection", shot.scalars.mean_deflection}});
   }
+  model.at_speed = linear.list();
   return model;
 }
 

@@ -39,7 +39,8 @@ struct LawCalibration {
 /// formula "hunt-crossley" (its Eq. (8)); "exact" repairs what that formula
 /// loses at e = 0.5.
 ///
-/// The model carries κ and one at_speed entry a shot.
+/// The model carries κ and one at_speed entry a speed, the mean of λ where
+/// shots repeat a speed.
 /// Limit:  recovers κ of synthesised traces -> test LawCalibrationTest.RecoversStiffness.
 /// Errors: Error(bad_input) for no shots, shots without samples, restitution
 ///         outside (0, 1], an unknown formula.
@@ -49,7 +50,7 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
 
 /// The paper's equivalent Kelvin–Voigt: κ and λ of a calibrated Hunt–Crossley
 /// law, frozen at the mean deflection x_R of each reference (Eq. 15). Nothing
-/// is fitted anew; the model carries one at_speed entry a shot.
+/// is fitted anew; the model carries one at_speed entry a speed.
 LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
                                          const std::vector<ReferenceShot>& shots);
 

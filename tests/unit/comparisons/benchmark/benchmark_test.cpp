@@ -36,7 +36,8 @@ TEST(BenchmarkTest, OwnTraceScoresZero) {
     EXPECT_NEAR(*cell.against_reference.peak_force, 0.0, 1e-5) << card.name;
     EXPECT_NEAR(*cell.against_reference.peak_deflection, 0.0, 1e-5) << card.name;
     EXPECT_NEAR(*cell.against_reference.mean_deflection, 0.0, 1e-4) << card.name;
-    EXPECT_LT(cell.force_time_rms, 1e-4) << card.name;  // linear between 401 samples
+    // Linear between 401 samples; a force that starts like x^0.25 shows it.
+    EXPECT_LT(cell.force_time_rms, 2e-3) << card.name;
     EXPECT_LT(cell.force_deflection_rms, 1e-3) << card.name;  // rounding at the tip
   }
 }

@@ -171,6 +171,18 @@ TEST(LawCalibrationTest, LinearisesAtTheMeanDeflection) {
   }
 }
 
+TEST(LawCalibrationTest, RepeatedShotsShareOneEntry) {
+  auto shots = core_a_shots(3.5e6);
+  shots.push_back(shots[1]);
+  shots.back().scalars.restitution += 0.02;
+  const LawCalibration found = calibrate_hunt_crossley(shots, "hunt-crossley");
+  ASSERT_EQ(found.model.at_speed.size(), 3u);
+  const double stiffness = found.fit.estimates[0].value;
+  EXPECT_NEAR(found.model.at_speed[1].parameters.at("damping"),  // mean of e: 0.537
+              1.5 * (1.0 - 0.537) * stiffness / 15.0, 1e-3);
+  EXPECT_EQ(linearise_at_mean_deflection(found.model, shots).at_speed.size(), 3u);
+}
+
 TEST(LawCalibrationTest, RefusesWhatCannotBeFitted) {
   auto shots = core_a_shots(3.5e6);
   EXPECT_THROW(calibrate_hunt_crossley({}, "exact"), Error);
