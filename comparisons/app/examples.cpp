@@ -26,4 +26,20 @@ FemProblem example_fem_problem() {
   return problem;
 }
 
+Dataset example_dataset() {
+  Dataset dataset;
+  dataset.name = "sliotar core A on the rigid plate";
+  dataset.sphere = core_a;
+  dataset.mass_uncertainty = 0.4e-3;
+  dataset.instrument.force_noise = 10.0;
+  dataset.instrument.force_gain_uncertainty = 0.03;
+  dataset.instrument.camera_rate = 4000.0;
+  dataset.instrument.deflection = DeflectionOrigin::integrated;
+  dataset.shots.push_back({.speed = 15.0,
+                           .restitution = {.value = 0.527, .uncertainty = 0.01},
+                           .contact_time = {.value = 1.91e-3, .uncertainty = 0.03e-3}});
+  dataset.quasistatic.push_back({.platens = 2, .stiffness = {.value = 4.053e5}});
+  return dataset;
+}
+
 }  // namespace rebound

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/dataset/dataset.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -12,5 +13,8 @@ LumpedProblem example_lumped_problem();
 /// A ball of core A's mass and size with round material numbers: something to
 /// start from, not a calibrated core.
 FemProblem example_fem_problem();
+
+/// Core A as the paper's tables have it at one speed: scalars without traces.
+Dataset example_dataset();
 
 }  // namespace rebound

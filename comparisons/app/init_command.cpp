@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +8,7 @@
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/toml_writer.hpp"
+#include "comparisons/dataset/describe_dataset.hpp"
 #include "comparisons/results/atomic_file.hpp"
 
 namespace rebound {
@@ -25,10 +24,12 @@ struct Starter {
 
 const std::vector<Starter>& starters() {
   static const std::vector<Starter> list{
-      {"lumped.toml", "rebound lumped",
+      {"lumped.toml", "an impact for `rebound lumped`",
        [] { return write_toml(example_lumped_problem(), Comments::sentences); }},
-      {"fem.toml", "rebound fem",
+      {"fem.toml", "an impact for `rebound fem`",
        [] { return write_toml(example_fem_problem(), Comments::sentences); }},
+      {"dataset/dataset.toml", "the data set of a study; its CSV files go beside it",
+       [] { return write_toml(example_dataset(), Comments::sentences); }},
   };
   return list;
 }
@@ -39,11 +40,12 @@ ExitCode run_init(const Session& session) {
     if (std::filesystem::exists(folder / starter.file))
       throw Error(ExitCode::bad_input, "the file is there already and is not overwritten",
                   {.file = (folder / starter.file).string()});
-  make_writable_folder(folder);
   Json written = {{"schema", 1}};
   for (const Starter& starter : starters()) {
-    write_file_atomically(folder / starter.file, starter.text());
-    written[starter.file] = fmt::format("{} {}", starter.use, (folder / starter.file).string());
+    const std::filesystem::path file = folder / starter.file;
+    make_writable_folder(file.parent_path());
+    write_file_atomically(file, starter.text());
+    written[file.string()] = starter.use;
   }
   print_result(session, written);
   return ExitCode::done;

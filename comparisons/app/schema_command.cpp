@@ -7,6 +7,8 @@
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/schema_writer.hpp"
+#include "comparisons/dataset/describe_dataset.hpp"
+#include "comparisons/dataset/published_values.hpp"
 #include "comparisons/results/atomic_file.hpp"
 
 namespace rebound {
@@ -21,6 +23,9 @@ const std::vector<Format>& formats() {
   static const std::vector<Format> list{
       {"lumped", [] { return json_schema<LumpedProblem>("Impact file, lumped tier"); }},
       {"fem", [] { return json_schema<FemProblem>("Impact file, FE tier"); }},
+      {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
+      {"published-values",
+       [] { return json_schema<PublishedValues>("Published model values of a data set"); }},
   };
   return list;
 }
