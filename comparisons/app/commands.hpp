@@ -17,6 +17,7 @@ struct Command {
 /// commands.cpp.
 const std::vector<Command>& commands();
 
+Action declare_study(CLI::App& command);
 Action declare_lumped(CLI::App& command);
 Action declare_fem(CLI::App& command);
 Action declare_mesh(CLI::App& command);

@@ -8,7 +8,6 @@
 #include "lumped/problem/result.hpp"
 #include "lumped/problem/run_control.hpp"
 
-
 /// The narrow interfaces of the two modules that are loaded on first use,
 /// so that the program itself links no deal.II, no Gmsh and no MPI.
 namespace rebound {

@@ -1,0 +1,116 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/interruption.hpp"
+#include "comparisons/app/print_result.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/config/help_writer.hpp"
+#include "comparisons/config/toml_writer.hpp"
+#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/report/write_report.hpp"
+#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/results/result_folder.hpp"
+#include "comparisons/study/study_json.hpp"
+#include "comparisons/study/study_report.hpp"
+
+namespace rebound {
+namespace {
+
+/// Result folder of every FE reference, as `rebound fem` would write it, so
+/// that it can be run again on its own.
+void write_core(const std::filesystem::path& folder, const CoreStudy& core,
+                const Provenance& provenance) {
+  for (const auto& shot : core.shots) {
+    const auto place = folder / ("core-" + core.label) / fmt::format("fem-{:g}mps", shot.measured.speed);
+    std::filesystem::create_directories(place);
+    write_result({.folder = place,
+                  .effective_toml = write_toml(shot.problem),
+                  .provenance = provenance},
+                 shot.fem);
+  }
+}
+
+void print_table(const std::vector<CoreStudy>& cores) {
+  fmt::print("{:<30} {:>6} {:>8} {:>8} {:>9} {:>8} {:>8} {:>9}\n", "law", "m/s", "e", "e meas",
+             "t_c ms", "t meas", "F_max N", "F-t rms %");
+  for (const auto& core : cores)
+    for (std::size_t s = 0; s < core.shots.size(); ++s) {
+      const auto& shot = core.shots[s];
+      const auto row = [&](const std::string& law, const ImpactScalars& scalars,
+                           const std::string& rms) {
+        fmt::print("{:<30} {:>6g} {:>8.3f} {:>8.3f} {:>9.3f} {:>8.3f} {:>8.0f} {:>9}\n",
+                   core.label + "  " + law, shot.measured.speed, scalars.restitution,
+                   *shot.measured.restitution.value, 1e3 * scalars.contact_time,
+                   1e3 * *shot.measured.contact_time.value, scalars.peak_force, rms);
+      };
+      row("FE", shot.fem.scalars, "");
+      for (std::size_t l = 0; l < core.laws.size(); ++l) {
+        const auto& cell = core.benchmark.cells[l][s];
+        if (cell.failure.empty())
+          row(core.laws[l].label, cell.scalars, fmt::format("{:.1f}", 100 * cell.force_time_rms));
+        else
+          fmt::print("{:<30} {:>6g} {}\n", core.label + "  " + core.laws[l].label,
+                     shot.measured.speed, cell.failure);
+      }
+    }
+}
+
+std::vector<CoreStudy> study_all(const StudyFile& study, const std::filesystem::path& out,
+                                 const Provenance& provenance) {
+  ProgressLine progress("study");
+  const RunControl whole = progress.control();
+  std::vector<CoreStudy> cores;
+  for (std::size_t i = 0; i < study.cores.size(); ++i) {
+    RunControl control = whole;
+    control.progress = [&](double fraction) {
+      whole.progress((static_cast<double>(i) + fraction) / static_cast<double>(study.cores.size()));
+    };
+    cores.push_back(study_core(study, study.cores[i], control));
+    write_core(out, cores.back(), provenance);
+  }
+  return cores;
+}
+
+ExitCode run_study(const Session& session, const std::string& file) {
+  const Document document = Document::load(file);
+  const StudyFile study = read_study(document);
+  const std::filesystem::path out =
+      session.out.empty() ? std::filesystem::path("results") / std::filesystem::path(file).stem()
+                          : session.out;
+  make_writable_folder(out);
+  Provenance provenance = provenance_of(session, file, document.text());
+  provenance.modules = {fem_tier().versions()};
+
+  const auto cores = study_all(study, out, provenance);
+  Json json = study_json(study, cores);
+  const auto page = out / "report.html";
+  json["report"] = page.string();
+  json["provenance"] = to_json(provenance);
+  write_file_atomically(out / "study.json", dump(json));
+  report::write_report(study_report(study, cores, provenance), page);
+  if (session.json()) {
+    print_result(session, json);
+  } else {
+    print_table(cores);
+    fmt::print("\n{}\n\nreport: {}\n", headline(cores), page.string());
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_study(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Study file")->required();
+  command.footer([] {
+    return "Without --out the results go to results/NAME of FILE's name.\n\nKeys of FILE (TOML):\n" +
+           help_text<StudyFile>() + "\n" + exit_code_help();
+  });
+  return [file](const Session& session) { return run_study(session, *file); };
+}
+
+}  // namespace rebound

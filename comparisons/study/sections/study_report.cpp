@@ -1,0 +1,72 @@
+#include "comparisons/study/study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rebound {
+
+std::string overlay_key(const CoreStudy& core, const StudyShot& shot) {
+  return fmt::format("{}/{:g}", core.label, shot.measured.speed);
+}
+
+double spread(const StudyShot& shot, double ImpactScalars::* scalar) {
+  return std::abs(shot.fem.scalars.*scalar - shot.fem_coarse.scalars.*scalar);
+}
+
+std::string headline(const std::vector<CoreStudy>& cores) {
+  // The impact at which the published law is furthest from the measured restitution.
+  const CoreStudy* core = nullptr;
+  std::size_t shot = 0;
+  double worst = -1.0;
+  constexpr std::size_t published = 0;  // rows as calibrate_laws() makes them
+  constexpr std::size_t exact = 2;
+  for (const auto& candidate : cores)
+    for (std::size_t i = 0; i < candidate.shots.size(); ++i) {
+      const auto& error = candidate.benchmark.cells[published][i].against_measured.restitution;
+      if (!error || std::abs(*error) <= worst) continue;
+      worst = std::abs(*error);
+      core = &candidate;
+      shot = i;
+    }
+  if (!core) return "No measured restitution to compare the laws with.";
+  const auto& law = core->benchmark.cells[published][shot];
+  const auto& repaired = core->benchmark.cells[exact][shot];
+  return fmt::format(
+      "Core {} at {:g} m/s: the published Hunt–Crossley parameters give a restitution of {:.3f} "
+      "where {:.3f} was measured ({:+.0f} %); damping by the exact relation instead of the "
+      "low-loss formula gives {:.3f}{}.",
+      core->label, core->shots[shot].measured.speed, law.scalars.restitution,
+      *core->shots[shot].measured.restitution.value,
+      100 * *law.against_measured.restitution, repaired.scalars.restitution,
+      repaired.against_measured.restitution
+          ? fmt::format(" ({:+.0f} %)", 100 * *repaired.against_measured.restitution)
+          : "");
+}
+
+report::Section provenance_section(const std::vector<CoreStudy>& cores,
+                                   const Provenance& provenance) {
+  report::Section section{.title = "Provenance", .folding = report::Section::Folding::folded, .blocks = {}};
+  section.blocks.push_back(report::Verbatim{"Run", dump(to_json(provenance))});
+  for (const auto& core : cores) {
+    std::string notes;
+    for (const auto& note : core.data.notes) notes += "– " + note + "\n";
+    section.blocks.push_back(report::Verbatim{core.data.name + ": assumptions in the data set", notes});
+  }
+  return section;
+}
+
+report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const Provenance& provenance) {
+  report::Report page;
+  page.title = study.title;
+  page.subtitle = "Lumped contact laws against finite elements and against the measurement; "
+                  "normal impact, no spin, no temperature";
+  page.headline = headline(cores);
+  page.sections = {matrix_section(cores),      overlay_section(cores),
+                   check_section(cores),       parameter_section(cores),
+                   credibility_section(cores), provenance_section(cores, provenance)};
+  return page;
+}
+
+}  // namespace rebound

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "comparisons/results/json.hpp"
+#include "comparisons/study/core_study.hpp"
+
+namespace rebound {
+
+/// What a study found, without the traces: those lie in result folders.
+Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores);
+
+/// Estimates with intervals and verdicts, and how good the whole fit is.
+Json fit_json(const CalibrationResult& fit);
+
+}  // namespace rebound
