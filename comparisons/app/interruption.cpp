@@ -20,6 +20,8 @@ void watch_for_interruption() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file that may not grow further is an error of the write, not an end.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return asked_to_stop.load(); }

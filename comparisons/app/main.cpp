@@ -27,6 +27,12 @@ void declare_all(CLI::App& app, Session& session, Action& chosen) {
   }
 }
 
+/// Results that did not reach standard output are lost, and that is a failure.
+ExitCode with_output_written(ExitCode code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  throw Error(ExitCode::input_output_failed, "standard output cannot be written");
+}
+
 int run(int argc, char** argv) {
   Session session;
   session.command_line.assign(argv, argv + argc);
@@ -50,7 +56,7 @@ int run(int argc, char** argv) {
     return report_error(Error(ExitCode::bad_input, message), wants_json());
   }
   try {
-    return static_cast<int>(action(session));
+    return static_cast<int>(with_output_written(action(session)));
   } catch (const Error& error) {
     return report_error(error, session.json());
   } catch (const std::bad_alloc&) {

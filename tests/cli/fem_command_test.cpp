@@ -1,0 +1,72 @@
+#include "tests/cli/program.hpp"
+
+namespace rebound::testing {
+namespace {
+
+class FemCommandTest : public ProgramTest {};
+
+TEST_F(FemCommandTest, PrintsTheContractsKeysAndTheMomentumRestitution) {
+  folder.write("a.toml", fem_file);
+  const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
+  const auto json = nlohmann::json::parse(outcome.output);
+  for (const char* key :
+       {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N", "peak_deflection_m",
+        "mean_deflection_m", "rebound_speed_m_s", "impulse_closure", "energy_closure", "wall_s",
+        "restitution_momentum", "cells", "steps", "contact_radius_peak_m",
+        "vibrational_energy_share"})
+    EXPECT_TRUE(json[key].is_number()) << key;
+  EXPECT_TRUE(read_whole(folder.path() / "results/trace.csv")
+                  .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
+}
+
+TEST_F(FemCommandTest, AMeshMadeHereIsReadBackToTheSameTrace) {
+  folder.write("a.toml", fem_file);
+  ASSERT_EQ(rebound({"fem", "a.toml", "--out", "one"}).exit_code, 0);
+  ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "60", "--out", "ball.msh"}).exit_code,
+            0);
+  folder.write("b.toml", replaced(fem_file, "cells = 60", "mesh = \"ball.msh\""));
+  const Outcome outcome = rebound({"fem", "b.toml", "--out", "two"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(read_whole(folder.path() / "one/trace.csv"),
+            read_whole(folder.path() / "two/trace.csv"));
+}
+
+TEST_F(FemCommandTest, AMeshOfAnotherBallIsRefused) {
+  ASSERT_EQ(rebound({"mesh", "--diameter", "60 mm", "--cells", "60", "--out", "ball.msh"}).exit_code,
+            0);
+  folder.write("b.toml", replaced(fem_file, "cells = 60", "mesh = \"ball.msh\""));
+  const Outcome outcome = rebound({"fem", "b.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("ball.msh"), std::string::npos) << outcome.errors;
+}
+
+TEST_F(FemCommandTest, AContactThatDoesNotEndInTimeReportsNoScalar) {
+  folder.write("a.toml", fem_file + "[controls]\nend_time = \"0.5 ms\"\n");
+  const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["error"]["code"], 3);
+  EXPECT_FALSE(json.contains("restitution"));
+  EXPECT_FALSE(there("results/result.json"));
+  EXPECT_FALSE(there("results/trace.csv"));
+  ASSERT_TRUE(there("results/incomplete.json"));
+  const auto kept = nlohmann::json::parse(read_whole(folder.path() / "results/incomplete.json"));
+  EXPECT_FALSE(kept.contains("restitution"));
+  EXPECT_TRUE(there("results/trace-incomplete.csv"));
+}
+
+TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
+  // Many cells: the run takes seconds, the mesh is made before.
+  ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code, 0);
+  folder.write("a.toml", replaced(fem_file, "cells = 60", "cells = 20000"));
+  const Outcome outcome =
+      rebound({"fem", "a.toml", "--json", "--out", "results"}, {.interrupt_after_ms = 2500});
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.output << outcome.errors;
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["error"]["code"], 130);
+  EXPECT_TRUE(there("results/incomplete.json"));
+  EXPECT_FALSE(there("results/result.json"));
+}
+
+}  // namespace
+}  // namespace rebound::testing
