@@ -8,6 +8,7 @@
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/modules/module_loader.hpp"

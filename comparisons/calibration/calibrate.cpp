@@ -73,7 +73,7 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = problem.controls.iterations;
-  options.function_tolerance = 1e-12;
+  options.function_tolerance = problem.controls.cost_tolerance;
   options.parameter_tolerance = 1e-10;
   options.num_threads = 1;
   Watch watch(control, problem.controls.iterations);

@@ -36,6 +36,9 @@ struct CalibrationControls {
   /// suits models that are smooth to 1e-9; a model with discretisation ripple
   /// wants 1e-2 or so.
   double relative_step = 1e-4;
+  /// The search ends when an iteration changes the cost by less than this
+  /// share. A model with discretisation ripple wants 1e-3 or so.
+  double cost_tolerance = 1e-12;
   int iterations = 100;     ///< most, per start
   int starts = 1;           ///< the given start, then seeded ones within the bounds
   std::uint64_t seed = 1;

@@ -15,6 +15,8 @@ namespace {
 /// Differences smaller than this in a logarithm drown in the step noise of
 /// the explicit scheme (about 1e-4 in contact time).
 constexpr double difference_step = 0.02;
+/// For the same reason no more of the cost can be gained than this share.
+constexpr double cost_tolerance = 2e-3;
 
 double& number_of(Material& material, const FreeMaterialNumber& unknown) {
   if (unknown.what == MaterialUnknown::youngs_modulus) return material.youngs_modulus;
@@ -108,7 +110,8 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
   CalibrationProblem calibration;
   calibration.noise = NoiseKnowledge::known;
   calibration.controls.relative_step = difference_step;
-  calibration.controls.iterations = 12;
+  calibration.controls.cost_tolerance = cost_tolerance;
+  calibration.controls.iterations = 20;
   for (const auto& unknown : free) {
     Material start = problem.material;
     calibration.parameters.push_back({.name = name_of(unknown),

@@ -51,7 +51,7 @@ report::TableCell percent_cell(double model, double measured) {
   const Verdict verdict = std::abs(error) < 0.05   ? Verdict::good
                           : std::abs(error) < 0.15 ? Verdict::doubtful
                                                    : Verdict::bad;
-  return report::text_cell(fmt::format("{:+.0f} %", 100 * error), verdict);
+  return report::text_cell(fmt::format("{:+.0f}", 100 * error), verdict);
 }
 
 report::Table check_table(const std::vector<CoreStudy>& cores) {
@@ -62,13 +62,13 @@ report::Table check_table(const std::vector<CoreStudy>& cores) {
       .columns = {{"impact", "", Kind::text, {}},
                   {"mean deflection measured", "mm", Kind::number, report::Origin::measured},
                   {"FE", "mm", Kind::number, report::Origin::predicted},
-                  {"difference", "", Kind::number, {}},
+                  {"difference", "%", Kind::number, {}},
                   {"typical peak force", "N", Kind::number, report::Origin::measured},
                   {"FE", "N", Kind::number, report::Origin::predicted},
-                  {"difference", "", Kind::number, {}},
+                  {"difference", "%", Kind::number, {}},
                   {"typical peak deflection", "mm", Kind::number, report::Origin::measured},
                   {"FE", "mm", Kind::number, report::Origin::predicted},
-                  {"difference", "", Kind::number, {}}},
+                  {"difference", "%", Kind::number, {}}},
       .rows = {}};
   for (const auto& core : cores)
     for (const auto& shot : core.shots) {

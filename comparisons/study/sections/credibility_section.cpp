@@ -15,7 +15,7 @@ report::TableCell limited(double value, double limit) {
 
 report::TableCell relative_spread(const StudyShot& shot, double ImpactScalars::* scalar) {
   return report::text_cell(
-      fmt::format("{:.2f} %", 100 * spread(shot, scalar) / (shot.fem.scalars.*scalar)));
+      fmt::format("{:.2f}", 100 * spread(shot, scalar) / (shot.fem.scalars.*scalar)));
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ report::Section credibility_section(const std::vector<CoreStudy>& cores) {
                         .caption = "A first measure of the discretisation error, not an error bar.",
                         .columns = {{"impact", "", Kind::text, {}},
                                     {"cells", "", Kind::text, {}},
-                                    {"restitution", "", Kind::number, {}},
-                                    {"contact time", "", Kind::number, {}},
-                                    {"peak force", "", Kind::number, {}},
-                                    {"peak deflection", "", Kind::number, {}}},
+                                    {"restitution", "%", Kind::number, {}},
+                                    {"contact time", "%", Kind::number, {}},
+                                    {"peak force", "%", Kind::number, {}},
+                                    {"peak deflection", "%", Kind::number, {}}},
                         .rows = {}};
   for (const auto& core : cores)
     for (const auto& shot : core.shots) {

@@ -28,8 +28,8 @@ report::Section parameter_section(const std::vector<CoreStudy>& cores) {
                                  "too narrow, and the fit says so.",
                       .columns = {{"model", "", Kind::text, {}},
                                   {"parameter", "", Kind::text, {}},
-                                  {"value", "", Kind::number, report::Origin::fitted},
-                                  {"interval", "", Kind::number, {}},
+                                  {"value", "", Kind::text, report::Origin::fitted},
+                                  {"interval", "", Kind::text, {}},
                                   {"unit", "", Kind::text, {}},
                                   {"identifiability", "", Kind::text, {}}},
                       .rows = {}};
