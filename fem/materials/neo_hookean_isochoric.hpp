@@ -48,18 +48,32 @@ struct NeoHookeanIsochoric {
     return 0.5 * moduli.bulk * change * change;
   }
 
-  /// As NeoHookean::stiffness_growth; the bulk term is U''J² = K J² and the
-  /// pressure term K |J − 1| J, the shear terms are bounded by J^(−2/3) I₁.
+  /// As NeoHookean::stiffness_growth, with t = tr F⁻¹h, q = tr(F⁻¹h F⁻¹h)
+  ///
+  ///   A(h) = μ J^(−2/3) (|h|² − (4/3) t F:h + (2/9) I₁ t² + (1/3) I₁ q)
+  ///        + K (2J² − J) t² + K (1 − J) J q
+  ///
+  /// and the largest value along principal directions, where t F:h = k.
   template <class T>
   T stiffness_growth(const Strain<T>& e, const T& m) const {
     const auto& c = e.right_cauchy_green;
+    const double mu = moduli.shear;
     const T j = e.jacobian;
-    const T change = j < 1.0 ? 1.0 - j : j - 1.0;
-    const T shear = moduli.shear * exp((-2.0 / 3.0) * e.log_jacobian);
-    const T trace = e.inverse.rr + e.inverse.zz + e.inverse.tt;
-    const T invariant = (c.rr + c.zz + c.tt) * (1.0 / 3.0);
-    return (shear * (1.0 + invariant * m) + moduli.bulk * j * (j * trace + 2.0 * change * trace)) *
-           (1.0 / (2.0 * moduli.shear + 3.0 * moduli.bulk));
+    const T scale = mu * exp((-2.0 / 3.0) * e.log_jacobian);
+    const T invariant = c.rr + c.zz + c.tt;
+    const T pressure = moduli.bulk * j * (j < 1.0 ? 1.0 - j : j - 1.0);
+    const T shear = scale * (1.0 + (1.0 / 3.0) * invariant * m) + pressure * m;
+    const T per_trace = (2.0 / 9.0) * scale * invariant +
+                        moduli.bulk * j * (j < 0.5 ? 0.0 * j : 2.0 * j - 1.0);
+    const T in_plane = e.inverse.rr + e.inverse.zz;
+    const T one = shear - (4.0 / 3.0) * scale + per_trace * m;
+    const T wave = (one > shear ? one : shear) * (1.0 / (moduli.bulk + 4.0 / 3.0 * mu));
+    const T plane = (shear - (8.0 / 3.0) * scale + per_trace * in_plane) *
+                    (1.0 / (2.0 * moduli.bulk + 2.0 / 3.0 * mu));
+    const T swelling = (shear - 4.0 * scale + per_trace * (in_plane + e.inverse.tt)) *
+                       (1.0 / (3.0 * moduli.bulk));
+    const T larger = wave > plane ? wave : plane;
+    return larger > swelling ? larger : swelling;
   }
 };
 

@@ -1,5 +1,6 @@
 #include "fem/materials/viscoelastic_constants.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "lumped/problem/error.hpp"
@@ -17,15 +18,17 @@ void require(bool fine, const char* key, double value, const char* allowed) {
                .allowed = allowed});
 }
 
+bool positive(double value) { return value > 0 && std::isfinite(value); }
+
 void check(const Material& material) {
-  require(material.youngs_modulus > 0, "youngs_modulus", material.youngs_modulus, "> 0 Pa");
+  require(positive(material.youngs_modulus), "youngs_modulus", material.youngs_modulus, "> 0 Pa");
   require(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio,
           "poisson_ratio", material.poisson_ratio,
           "(-1, 0.45]; fully integrated cells lock above");
   double sum = 0.0;
   for (const auto& branch : material.branches) {
-    require(branch.ratio > 0, "branch.ratio", branch.ratio, "> 0");
-    require(branch.relaxation_time > 0, "branch.relaxation_time", branch.relaxation_time, "> 0 s");
+    require(positive(branch.ratio), "branch.ratio", branch.ratio, "> 0");
+    require(positive(branch.relaxation_time), "branch.relaxation_time", branch.relaxation_time, "> 0 s");
     sum += branch.ratio;
   }
   if (material.modulus == ModulusBasis::instantaneous)
