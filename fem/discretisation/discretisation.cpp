@@ -7,6 +7,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -25,15 +26,40 @@ constexpr std::array<int, 4> around = {0, 1, 3, 2};
   throw Error(ExitCode::bad_input, "mesh refused: " + why, {.key = "model.mesh"});
 }
 
-void triangulate(const Mesh& mesh, dealii::Triangulation<2>& triangulation) {
+/// What would run and give a wrong answer; deal.II finds the rest.
+void check(const Mesh& mesh) {
   if (mesh.cells.empty()) refuse("it has no cells");
   if (mesh.contact_edges.empty()) refuse("it has no edges in the group \"contact\"");
+  const auto count = static_cast<int>(mesh.vertices.size());
+  std::vector<char> in_cell(count, 0), on_axis(count, 0);
+  for (const auto& cell : mesh.cells)
+    for (const int vertex : cell) {
+      if (vertex < 0 || vertex >= count) refuse("a cell names a vertex that does not exist");
+      in_cell[vertex] = 1;
+    }
+  for (const auto* edges : {&mesh.axis_edges, &mesh.contact_edges})
+    for (const auto& edge : *edges)
+      for (const int vertex : edge)
+        if (vertex < 0 || vertex >= count || !in_cell[vertex]) refuse("an edge belongs to no cell");
+  for (const auto& edge : mesh.axis_edges) on_axis[edge[0]] = on_axis[edge[1]] = 1;
+  double reach = 0.0;
+  for (const auto& v : mesh.vertices) reach = std::max({reach, std::abs(v[0]), std::abs(v[1])});
+  for (int i = 0; i < count; ++i) {
+    const auto& [r, z] = mesh.vertices[i];
+    if (r < 0.0) refuse("a vertex lies at negative radius");
+    if (in_cell[i] && (r <= 1e-9 * reach) != (on_axis[i] == 1))
+      refuse("the group \"axis\" and the vertices at radius 0 are not the same");
+  }
+  for (const auto& edge : mesh.contact_edges)
+    for (const int vertex : edge)
+      if (mesh.vertices[vertex][1] < -1e-9 * reach)
+        refuse("a vertex of the group \"contact\" lies below the plate");
+}
+
+void triangulate(const Mesh& mesh, dealii::Triangulation<2>& triangulation) {
   std::vector<dealii::Point<2>> vertices;
   vertices.reserve(mesh.vertices.size());
-  for (const auto& v : mesh.vertices) {
-    if (v[0] < 0.0) refuse("a vertex lies at negative radius");
-    vertices.emplace_back(v[0], v[1]);
-  }
+  for (const auto& v : mesh.vertices) vertices.emplace_back(v[0], v[1]);
   std::vector<dealii::CellData<2>> cells;
   cells.reserve(mesh.cells.size());
   for (const auto& c : mesh.cells) {
@@ -77,6 +103,7 @@ std::vector<int> nodes_of(const std::vector<std::array<int, 2>>& edges,
 }  // namespace
 
 Discretisation discretise(const Mesh& mesh, double mass) {
+  check(mesh);
   auto fields = std::make_shared<FieldGeometry>();
   triangulate(mesh, fields->triangulation);
   fields->dofs.distribute_dofs(fields->element);

@@ -47,7 +47,8 @@ struct Discretisation {
 
 /// Builds the discretisation of `mesh` for a body of the given mass.
 /// Errors: Error(bad_input) for inverted cells, vertices at r < 0, an empty
-///         contact group.
+///         contact group or one below the plate, an axis group that is not
+///         exactly the vertices at r = 0, numbers of vertices that do not exist.
 Discretisation discretise(const Mesh& mesh, double mass);
 
 /// Largest eigenfrequency squared of each cell alone, small strain, lumped

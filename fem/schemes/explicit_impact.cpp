@@ -19,6 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double most_samples = 1e5;  ///< of a trace over one Hertz contact time
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -246,6 +248,9 @@ FemResult ExplicitImpact::run(const RunControl& control) {
     else if (time_ > end_time_)
       incomplete = "the contact had not ended by the end time";
     if (!incomplete.empty() || steps_ % look_around_every != 0) continue;
+    // NaN is never below or above anything: no comparison above would see it.
+    if (!std::isfinite(kinetic_energy())) incomplete = "the motion is no longer finite";
+    if (!incomplete.empty()) break;
     if (contact_is_over()) break;
     if (control.interrupted && control.interrupted()) incomplete = "interrupted";
     if (control.progress) control.progress(std::min(0.99, time_ / (1.3 * expected_time_)));
@@ -289,12 +294,19 @@ void check(const FemProblem& problem) {
                     allowed,
                 {.key = key, .value = std::to_string(value), .allowed = allowed});
   };
-  if (!(problem.sphere.mass > 0)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
-  if (!(problem.sphere.diameter > 0))
-    refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
-  if (!(problem.impact.speed > 0)) refuse("impact.speed", problem.impact.speed, "> 0 m/s");
-  const double safety = problem.controls.step_safety;
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  const auto zero_or_positive = [&](double value) { return value == 0 || positive(value); };
+  const auto& [safety, interval, end_time, frames, folder] = problem.controls;
+  if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
+  if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
+  if (!positive(problem.impact.speed)) refuse("impact.speed", problem.impact.speed, "> 0 m/s");
   if (!(safety > 0 && safety <= 1)) refuse("controls.step_safety", safety, "(0, 1]");
+  if (!zero_or_positive(end_time)) refuse("controls.end_time", end_time, ">= 0 s");
+  if (!zero_or_positive(interval)) refuse("controls.output_interval", interval, ">= 0 s");
+  const double contact = expected_contact_time(
+      problem, viscoelastic_constants(problem.material).instantaneous);
+  if (interval > 0 && interval < contact / most_samples)
+    refuse("controls.output_interval", interval, "0, or a 100000th of the contact time and more");
   if (problem.impact.separation != SeparationRule::zero_force)
     throw Error(ExitCode::bad_input,
                 "the FE tier separates by zero force alone: a deformable body need not be round "
