@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <unordered_map>
 
 #include "lumped/problem/error.hpp"
@@ -16,6 +17,7 @@ constexpr int gmsh_line = 1;
 constexpr int gmsh_quadrilateral = 3;
 constexpr int frontal_delaunay_algorithm = 6;
 constexpr int full_quad_recombination = 3;
+constexpr double largest_grading = 100.0;  ///< beyond, the far cells cannot follow the shape
 
 /// Gmsh keeps global state; this opens and closes it.
 class GmshSession {
@@ -88,8 +90,13 @@ Mesh collect(int surface, const std::vector<int>& axis, const std::vector<int>& 
   std::vector<double> coordinates;
   std::vector<double> unused;
   gmsh::model::mesh::getNodes(tags, coordinates, unused, 2, surface, true, false);
+  // By tag: Gmsh lists the corner points in an order that changes from call to call.
+  std::vector<std::size_t> order(tags.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
   std::unordered_map<std::size_t, int> index;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
+  for (const std::size_t i : order) {
     if (!index.emplace(tags[i], static_cast<int>(mesh.vertices.size())).second) continue;
     // The axis is a constraint of the discretisation: exactly zero, not 1e-19.
     const double r = std::abs(coordinates[3 * i]) < 1e-12 ? 0.0 : coordinates[3 * i];
@@ -106,7 +113,7 @@ Mesh collect(int surface, const std::vector<int>& axis, const std::vector<int>& 
   return mesh;
 }
 
-Mesh mesh_with(const SphereMeshRequest& request, double contact_size) {
+Mesh mesh_with(const SphereMeshRequest& request, double contact_size) try {
   const GmshSession session;
   gmsh::model::add("sphere");
   const double radius = request.radius;
@@ -129,6 +136,8 @@ Mesh mesh_with(const SphereMeshRequest& request, double contact_size) {
   gmsh::model::mesh::generate(2);
   gmsh::model::mesh::removeSizeCallback();
   return collect(surface, {upper_axis, lower_axis}, {lower, upper});
+} catch (const std::string& reason) {  // what Gmsh 4.8 throws
+  throw Error(ExitCode::solver_failed, "Gmsh: " + reason);
 }
 
 void check(const SphereMeshRequest& request) {
@@ -136,9 +145,10 @@ void check(const SphereMeshRequest& request) {
     throw Error(ExitCode::bad_input, std::string("sphere mesh: ") + key + " is out of range",
                 {.key = key, .value = std::to_string(value), .allowed = allowed});
   };
-  if (!(request.radius > 0)) refuse("radius", request.radius, "> 0 m");
+  if (!(request.radius > 0 && std::isfinite(request.radius))) refuse("radius", request.radius, "> 0 m");
   if (request.cells < 20) refuse("cells", request.cells, ">= 20");
-  if (!(request.grading >= 1)) refuse("grading", request.grading, ">= 1");
+  if (!(request.grading >= 1 && request.grading <= largest_grading))
+    refuse("grading", request.grading, "[1, 100]");
   if (!(request.contact_radius >= 0 && request.contact_radius < request.radius))
     refuse("contact_radius", request.contact_radius, ">= 0 and below the radius");
 }
@@ -160,7 +170,8 @@ Mesh generate_sphere_mesh(const SphereMeshRequest& given) {
       best_miss = std::abs(ratio - 1.0);
       best = std::move(mesh);
     }
-    size *= std::sqrt(ratio);
+    // Damped after the first: the count jumps with the size, and full steps go to and fro.
+    size *= std::pow(ratio, attempt == 0 ? 0.5 : 0.35);
   }
   return best;
 }

@@ -12,7 +12,9 @@ namespace rebound {
 /// number of cells is within 5 % of `cells`, in at most eight attempts, of
 /// which the closest is kept.
 ///
-/// Valid:  cells ≥ 20, grading ≥ 1, 0 ≤ contact_radius < radius.
+/// Valid:  cells ≥ 20, 1 ≤ grading ≤ 100, 0 ≤ contact_radius < radius.
+/// Caution: below 150 cells single corners get sharp (scaled Jacobian 0.13 has
+///         been seen; above, 0.4 and more) -> test SphereMeshTest.
 /// Errors: Error(bad_input) outside that; Error(solver_failed) when Gmsh
 ///         cannot make a mesh of quadrilaterals alone.
 /// Source: Gmsh 4.8 API, frontal quad meshing with full-quad recombination.

@@ -41,7 +41,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
     quality.volume += triangle_of_revolution(corner[0], corner[1], corner[2]) +
                       triangle_of_revolution(corner[0], corner[2], corner[3]);
   }
-  // Edges near the plate: the the lowest 5 % of the contact group's height.
+  // Edges near the plate: the lowest 5 % of the contact group's height.
   double highest = 0.0;
   for (const auto& edge : mesh.contact_edges)
     highest = std::max(highest, mesh.vertices[edge[0]][1]);
