@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "fem/discretisation/discretisation.hpp"
+#include "fem/kernel/cell_batches.hpp"
+#include "fem/schemes/prony_steps.hpp"
+#include "lumped/problem/fem_problem.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace rebound::test {
+
+/// Numbers in [−1, 1] from a fixed seed.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double operator()() { return spread_(engine_); }
+  double between(double low, double high) { return low + (high - low) * 0.5 * (1.0 + (*this)()); }
+  std::vector<double> vector(std::size_t size, double scale) {
+    std::vector<double> values(size);
+    for (double& value : values) value = scale * (*this)();
+    return values;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+  std::uniform_real_distribution<double> spread_{-1.0, 1.0};
+};
+
+/// Slope of log(remainder) over log(step) as the step falls; the smallest of
+/// the slopes between neighbouring steps. 2 shows that `remainder` leaves out
+/// exactly the second and higher orders.
+template <class Remainder>
+double smallest_slope(const Remainder& remainder, double first_step) {
+  double smallest = 1e9;
+  double step = first_step;
+  double before = std::abs(remainder(step));
+  for (int i = 0; i < 3; ++i) {
+    step *= 0.25;
+    const double now = std::abs(remainder(step));
+    smallest = std::min(smallest, std::log(before / now) / std::log(4.0));
+    before = now;
+  }
+  return smallest;
+}
+
+/// A cylinder 1 m by 1.2 m whose inner vertices are moved by a fifth of a cell.
+inline Mesh distorted_cylinder() {
+  constexpr int across = 4, along = 5;
+  Mesh mesh = cylinder({.radius = 1.0, .length = 1.2, .cells_across = across, .cells_along = along});
+  Random random(7);
+  for (int j = 1; j < along; ++j)
+    for (int i = 1; i < across; ++i) {
+      auto& vertex = mesh.vertices[j * (across + 1) + i];
+      vertex[0] += 0.05 * random();
+      vertex[1] += 0.05 * random();
+    }
+  return mesh;
+}
+
+/// μ = 1 Pa, λ = 4 Pa.
+inline Material unit_material(ElasticModel elastic = ElasticModel::neo_hookean) {
+  return {.elastic = elastic, .youngs_modulus = 2.8, .poisson_ratio = 0.4};
+}
+
+/// One body, one material, one kernel: forces and energy as functions of the
+/// displacement [node][2].
+class KernelCase {
+ public:
+  KernelCase(const fem::Discretisation& body, const Material& material,
+             const fem::CellKernel& kernel, double step = 1.0)
+      : constants_(fem::viscoelastic_constants(material)),
+        kernel_(kernel),
+        cells_(body, constants_, material.elastic, kernel.width),
+        prony_(constants_, step),
+        step_(step),
+        history_(cells_.make_history()),
+        force_(2 * (body.position.size() + 1)) {}
+
+  std::size_t size() const { return force_.size(); }
+  const fem::CellSummary& summary() const { return summary_; }
+
+  /// Internal forces; with branches the body moves on by one step.
+  const std::vector<double>& force(const std::vector<double>& displacement) {
+    std::fill(force_.begin(), force_.end(), 0.0);
+    summary_ = kernel_.internal_forces(cells_.arrays(), prony_.data(), displacement.data(),
+                                       history_.data(), force_.data());
+    prony_.advance(step_);
+    return force_;
+  }
+  double energy(const std::vector<double>& displacement) const {
+    return kernel_.stored_energy(cells_.arrays(), displacement.data());
+  }
+
+ private:
+  fem::ViscoelasticConstants constants_;
+  const fem::CellKernel& kernel_;
+  fem::CellBatches cells_;
+  fem::PronySteps prony_;
+  double step_;
+  std::vector<double> history_, force_;
+  fem::CellSummary summary_;
+};
+
+/// u_r = (a − 1) R, u_z = (b − 1) Z.
+inline std::vector<double> stretched(const fem::Discretisation& body, double a, double b) {
+  std::vector<double> u(2 * (body.position.size() + 1), 0.0);
+  for (int node = 0; node < body.node_count(); ++node) {
+    u[2 * node] = (a - 1.0) * body.position[node][0];
+    u[2 * node + 1] = (b - 1.0) * body.position[node][1];
+  }
+  return u;
+}
+
+}  // namespace rebound::test

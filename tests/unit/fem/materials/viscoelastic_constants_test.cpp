@@ -1,0 +1,95 @@
+#include "fem/materials/viscoelastic_constants.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/refusals.hpp"
+
+namespace rebound::fem {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// E = 10 MPa, ν = 0.4: μ = 3.5714 MPa, K = 16.667 MPa.
+Material solid(ModulusBasis basis, std::vector<PronyBranch> branches) {
+  return {.youngs_modulus = 10e6, .poisson_ratio = 0.4, .modulus = basis, .branches = std::move(branches)};
+}
+
+TEST(ViscoelasticConstantsTest, BasesAgree) {
+  // Instantaneous 20 MPa with shares 0.3 and 0.2 is long-term 10 MPa with
+  // branches of 0.6 and 0.4 of it.
+  Material instantaneous = solid(ModulusBasis::instantaneous,
+                                 {{0.3, 1e-4, Relaxes::all}, {0.2, 1e-3, Relaxes::all}});
+  instantaneous.youngs_modulus = 20e6;
+  const auto a = viscoelastic_constants(instantaneous);
+  const auto b = viscoelastic_constants(
+      solid(ModulusBasis::long_term, {{0.6, 1e-4, Relaxes::all}, {0.4, 1e-3, Relaxes::all}}));
+  EXPECT_NEAR(a.instantaneous.shear / b.instantaneous.shear, 1.0, 1e-15);
+  EXPECT_NEAR(a.instantaneous.bulk / b.instantaneous.bulk, 1.0, 1e-15);
+  EXPECT_NEAR(a.long_term_deviatoric, b.long_term_deviatoric, 1e-15);
+  EXPECT_NEAR(a.long_term_volumetric, b.long_term_volumetric, 1e-15);
+  ASSERT_EQ(a.branches.size(), b.branches.size());
+  for (std::size_t i = 0; i < a.branches.size(); ++i) {
+    EXPECT_NEAR(a.branches[i].deviatoric_share, b.branches[i].deviatoric_share, 1e-15);
+    EXPECT_NEAR(a.branches[i].volumetric_share, b.branches[i].volumetric_share, 1e-15);
+    EXPECT_EQ(a.branches[i].relaxation_time, b.branches[i].relaxation_time);
+  }
+}
+
+TEST(ViscoelasticConstantsTest, MixedBranchesRelaxTheirParts) {
+  const auto c = viscoelastic_constants(
+      solid(ModulusBasis::long_term, {{0.5, 1e-4, Relaxes::all}, {0.3, 1e-3, Relaxes::deviator}}));
+  const double shear = 10e6 / 2.8, bulk = 10e6 / 0.6;
+  EXPECT_NEAR(c.instantaneous.shear / (1.8 * shear), 1.0, 1e-14);
+  EXPECT_NEAR(c.instantaneous.bulk / (1.5 * bulk), 1.0, 1e-14);
+  EXPECT_NEAR(c.branches[0].deviatoric_share * c.instantaneous.shear, 0.5 * shear, 1e-8);
+  EXPECT_NEAR(c.branches[0].volumetric_share * c.instantaneous.bulk, 0.5 * bulk, 1e-8);
+  EXPECT_NEAR(c.branches[1].deviatoric_share * c.instantaneous.shear, 0.3 * shear, 1e-8);
+  EXPECT_EQ(c.branches[1].volumetric_share, 0.0);
+  EXPECT_NEAR(c.long_term_deviatoric * c.instantaneous.shear, shear, 1e-8);
+  EXPECT_NEAR(c.long_term_volumetric * c.instantaneous.bulk, bulk, 1e-8);
+}
+
+TEST(ViscoelasticConstantsTest, DeviatorBranchKeepsTheBulkModulus) {
+  const auto c = viscoelastic_constants(
+      solid(ModulusBasis::instantaneous, {{0.4, 1e-3, Relaxes::deviator}}));
+  EXPECT_EQ(c.long_term_volumetric, 1.0);
+  EXPECT_DOUBLE_EQ(c.long_term_deviatoric, 0.6);
+}
+
+TEST(ViscoelasticConstantsTest, RefusesWhatIsOutOfRange) {
+  const auto key_refused = [](const Material& material) {
+    const Error error = testing::refusal_of([&] { viscoelastic_constants(material); });
+    EXPECT_EQ(error.code(), ExitCode::bad_input);
+    return error.location().key;
+  };
+  const Material fine = solid(ModulusBasis::instantaneous, {{0.4, 1e-3, Relaxes::all}});
+  for (const double value : {0.0, -1.0, nan, infinity}) {
+    Material bad = fine;
+    bad.youngs_modulus = value;
+    EXPECT_EQ(key_refused(bad), "model.material.youngs_modulus") << value;
+    bad = fine;
+    bad.branches[0].relaxation_time = value;
+    EXPECT_EQ(key_refused(bad), "model.material.branch.relaxation_time") << value;
+    bad = fine;
+    bad.modulus = ModulusBasis::long_term;
+    bad.branches[0].ratio = value;
+    EXPECT_EQ(key_refused(bad), "model.material.branch.ratio") << value;
+  }
+  for (const double value : {-1.0, 0.4501, 0.5, nan, infinity}) {
+    Material bad = fine;
+    bad.poisson_ratio = value;
+    EXPECT_EQ(key_refused(bad), "model.material.poisson_ratio") << value;
+  }
+  Material whole = fine;
+  whole.branches = {{0.5, 1e-3, Relaxes::all}, {0.5, 1e-2, Relaxes::deviator}};
+  EXPECT_EQ(key_refused(whole), "model.material.branch.ratio");
+  whole.modulus = ModulusBasis::long_term;  // there any positive sum is fine
+  EXPECT_NO_THROW(viscoelastic_constants(whole));
+}
+
+}  // namespace
+}  // namespace rebound::fem

@@ -1,0 +1,142 @@
+#include "meshes/generate/sphere_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "meshes/format/check_mesh.hpp"
+#include "meshes/quality/mesh_quality.hpp"
+#include "tests/support/refusals.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double radius = 0.0331;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Follows edges from `start` and returns the end of the chain and its length.
+std::pair<int, std::size_t> follow(const std::vector<std::array<int, 2>>& edges, int start) {
+  std::multimap<int, int> next;
+  for (const auto& [a, b] : edges) {
+    next.emplace(a, b);
+    next.emplace(b, a);
+  }
+  int before = -1, at = start;
+  std::size_t steps = 0;
+  for (;; ++steps) {
+    const auto [low, high] = next.equal_range(at);
+    const auto ahead = std::find_if(low, high, [&](const auto& e) { return e.second != before; });
+    if (ahead == high || steps > edges.size()) return {at, steps};
+    before = at;
+    at = ahead->second;
+  }
+}
+
+int vertex_at(const Mesh& mesh, double r, double z) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (std::hypot(mesh.vertices[i][0] - r, mesh.vertices[i][1] - z) < 1e-9 * radius)
+      return static_cast<int>(i);
+  return -1;
+}
+
+TEST(SphereMeshTest, CountQualityAndVolume) {
+  const double sphere = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  for (const int cells : {150, 500, 2000})
+    for (const double grading : {1.0, 8.0}) {
+      const Mesh mesh = generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading});
+      const MeshQuality quality = measure_quality(mesh);
+      EXPECT_NEAR(quality.cells, cells, 0.05 * cells) << cells << " grading " << grading;
+      EXPECT_GT(quality.worst_scaled_jacobian, 0.3) << cells << " grading " << grading;
+      // Chords lose (Δφ)²/5 or so of the volume: of the order of 1/cells.
+      EXPECT_LT(quality.volume, sphere);
+      EXPECT_GT(quality.volume, sphere * (1.0 - 4.0 * std::sqrt(grading) / cells)) << cells << " grading " << grading;
+      EXPECT_NO_THROW(check_mesh(mesh, "generated"));
+    }
+}
+
+TEST(SphereMeshTest, VolumeConvergesToTheSphere) {
+  const double sphere = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  double before = 0.0;
+  for (const int cells : {100, 400, 1600}) {
+    const MeshQuality quality =
+        measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = 1.0}));
+    const double missing = 1.0 - quality.volume / sphere;
+    if (before > 0.0) {
+      EXPECT_NEAR(std::log2(before / missing), 2.0, 0.3) << cells;
+    }
+    before = missing;
+  }
+}
+
+TEST(SphereMeshTest, SmallestMeshesAreUsable) {
+  // Below 150 cells a corner can be sharp, but none is turned over.
+  for (const int cells : {20, 60, 100})
+    EXPECT_GT(measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = 1.0}))
+                  .worst_scaled_jacobian, 0.1) << cells;
+}
+
+TEST(SphereMeshTest, GroupsAreComplete) {
+  for (const int cells : {200, 1000}) {
+    const Mesh mesh = generate_sphere_mesh({.radius = radius, .cells = cells});
+    const int pole = vertex_at(mesh, 0, 0), top = vertex_at(mesh, 0, 2 * radius);
+    ASSERT_GE(pole, 0);
+    ASSERT_GE(top, 0);
+    for (const auto* edges : {&mesh.axis_edges, &mesh.contact_edges}) {
+      const auto [end, steps] = follow(*edges, pole);
+      EXPECT_EQ(end, top);
+      EXPECT_EQ(steps, edges->size());
+    }
+    for (const auto& edge : mesh.axis_edges)
+      for (const int vertex : edge) EXPECT_EQ(mesh.vertices[vertex][0], 0.0);
+    for (const auto& edge : mesh.contact_edges)
+      for (const int vertex : edge) {
+        const auto& [r, z] = mesh.vertices[vertex];
+        EXPECT_NEAR(std::hypot(r, z - radius) / radius, 1.0, 1e-9);
+      }
+  }
+}
+
+TEST(SphereMeshTest, CellsAreGradedToTheContact) {
+  const Mesh even = generate_sphere_mesh({.radius = radius, .cells = 1000, .grading = 1.0});
+  const Mesh graded = generate_sphere_mesh({.radius = radius, .cells = 1000, .grading = 8.0});
+  EXPECT_LT(measure_quality(graded).contact_edge_length,
+            0.5 * measure_quality(even).contact_edge_length);
+}
+
+TEST(SphereMeshTest, SameRequestSameMesh) {
+  const SphereMeshRequest request{.radius = radius, .cells = 300};
+  const Mesh a = generate_sphere_mesh(request), b = generate_sphere_mesh(request);
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.cells, b.cells);
+}
+
+TEST(SphereMeshTest, RefusesRequestsOutOfRange) {
+  const auto key_refused = [](const SphereMeshRequest& request) {
+    const Error error = testing::refusal_of([&] { generate_sphere_mesh(request); });
+    EXPECT_EQ(error.code(), ExitCode::bad_input);
+    return error.location().key;
+  };
+  for (const double bad : {0.0, -1.0, nan, infinity})
+    EXPECT_EQ(key_refused({.radius = bad}), "radius");
+  for (const int bad : {-5, 0, 19}) EXPECT_EQ(key_refused({.radius = radius, .cells = bad}), "cells");
+  for (const double bad : {0.5, -4.0, nan, infinity})
+    EXPECT_EQ(key_refused({.radius = radius, .grading = bad}), "grading");
+  for (const double bad : {-1e-3, radius, 1.0, nan, infinity})
+    EXPECT_EQ(key_refused({.radius = radius, .contact_radius = bad}), "contact_radius");
+}
+
+TEST(SphereMeshTest, SizesFarFromOurs) {
+  for (const double size : {1e-4, 50.0}) {
+    const Mesh mesh = generate_sphere_mesh({.radius = size, .cells = 300});
+    EXPECT_NO_THROW(check_mesh(mesh, "generated"));
+    EXPECT_GT(measure_quality(mesh).worst_scaled_jacobian, 0.3);
+  }
+}
+
+}  // namespace
+}  // namespace rebound
