@@ -16,7 +16,7 @@ namespace {
 /// the explicit scheme (about 1e-4 in contact time).
 constexpr double difference_step = 0.02;
 /// For the same reason no more of the cost can be gained than this share.
-constexpr double cost_tolerance = 2e-3;
+constexpr double cost_tolerance = 5e-4;
 
 double& number_of(Material& material, const FreeMaterialNumber& unknown) {
   if (unknown.what == MaterialUnknown::youngs_modulus) return material.youngs_modulus;
