@@ -48,8 +48,8 @@ report::Section credibility_section(const std::vector<CoreStudy>& cores) {
       const auto name =
           report::text_cell(fmt::format("core {}, {:g} m/s", core.label, shot.measured.speed));
       const FemResult& fem = shot.fem;
-      closures.rows.push_back({name, report::number_cell(fem.cells, 6),
-                               report::number_cell(static_cast<double>(fem.steps), 6),
+      closures.rows.push_back({name, report::text_cell(std::to_string(fem.cells)),
+                               report::text_cell(std::to_string(fem.steps)),
                                limited(fem.closures.impulse, 1e-6),
                                limited(fem.closures.energy, 1e-3),
                                limited(fem.contact_constraint_share, 3e-3),

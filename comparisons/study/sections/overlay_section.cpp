@@ -40,8 +40,6 @@ FemCurve fem_curve(const StudyShot& shot) {
   return curve;
 }
 
-std::string legend_name(const StudyLaw& law) { return law.label; }
-
 report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
   const StudyShot& shot = core.shots[s];
   const FemCurve fem = fem_curve(shot);
@@ -78,7 +76,8 @@ report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
     series.y = scaled(trace.deflection, milli);
     motion.series.push_back(series);
   };
-  add("FE", Origin::fitted, Series::Role::reference, fem.trace);
+  // Restitution and contact time were fitted; no trace was.
+  add("FE", Origin::predicted, Series::Role::reference, fem.trace);
   history.series.back().y_low = fem.force_low;
   history.series.back().y_high = fem.force_high;
   for (std::size_t l = 0; l < core.laws.size(); ++l) {
@@ -86,7 +85,8 @@ report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
     const LumpedResult law = simulate(
         {.sphere = core.data.sphere, .impact = shot.problem.impact, .model = core.laws[l].model,
          .controls = {.samples = 201}});
-    add(legend_name(core.laws[l]), Origin::fitted, Series::Role::candidate, law.trace);
+    const Origin origin = core.laws[l].fit ? Origin::fitted : Origin::predicted;
+    add(core.laws[l].label, origin, Series::Role::candidate, law.trace);
   }
   for (const auto& peak : core.data.pooled_peaks) {
     if (peak.speed != shot.measured.speed) continue;
