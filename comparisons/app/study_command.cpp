@@ -60,20 +60,53 @@ void print_table(const std::vector<CoreStudy>& cores) {
     }
 }
 
-std::vector<CoreStudy> study_all(const StudyFile& study, const std::filesystem::path& out,
-                                 const Provenance& provenance) {
+struct StudyRun {
+  const StudyFile& study;
+  std::filesystem::path out;
+  Provenance provenance;
+  std::vector<CoreStudy> cores;  ///< those that are complete
+};
+
+/// Writes what is complete: after every core, so that an interruption keeps it.
+Json write_study(const StudyRun& run) {
+  Json json = study_json(run.study, run.cores);
+  const auto page = run.out / "report.html";
+  json["report"] = page.string();
+  json["provenance"] = to_json(run.provenance);
+  report::write_report(study_report(run.study, run.cores, run.provenance), page);
+  write_file_atomically(run.out / "study.json", dump(json));
+  return json;
+}
+
+std::string complete_cores(const StudyRun& run) {
+  if (run.cores.empty()) return "no core was complete";
+  std::string labels;
+  for (const auto& core : run.cores) labels += (labels.empty() ? "" : ", ") + core.label;
+  return fmt::format("complete and kept in {}: core {}", run.out.string(), labels);
+}
+
+Json run_cores(StudyRun& run) {
   ProgressLine progress("study");
   const RunControl whole = progress.control();
-  std::vector<CoreStudy> cores;
-  for (std::size_t i = 0; i < study.cores.size(); ++i) {
-    RunControl control = whole;
-    control.progress = [&](double fraction) {
-      whole.progress((static_cast<double>(i) + fraction) / static_cast<double>(study.cores.size()));
-    };
-    cores.push_back(study_core(study, study.cores[i], control));
-    write_core(out, cores.back(), provenance);
+  const auto count = static_cast<double>(run.study.cores.size());
+  Json json;
+  try {
+    for (std::size_t i = 0; i < run.study.cores.size(); ++i) {
+      RunControl control = whole;
+      control.progress = [&](double fraction) {
+        whole.progress((static_cast<double>(i) + fraction) / count);
+      };
+      run.cores.push_back(study_core(run.study, run.study.cores[i], control));
+      write_core(run.out, run.cores.back(), run.provenance);
+      json = write_study(run);
+    }
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::interrupted) throw;
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted; {}; the same command runs the study again",
+                            complete_cores(run)));
   }
-  return cores;
+  return json;
 }
 
 ExitCode run_study(const Session& session, const std::string& file) {
@@ -86,18 +119,13 @@ ExitCode run_study(const Session& session, const std::string& file) {
   Provenance provenance = provenance_of(session, file, document.text());
   provenance.modules = {fem_tier().versions()};
 
-  const auto cores = study_all(study, out, provenance);
-  Json json = study_json(study, cores);
-  const auto page = out / "report.html";
-  json["report"] = page.string();
-  json["provenance"] = to_json(provenance);
-  write_file_atomically(out / "study.json", dump(json));
-  report::write_report(study_report(study, cores, provenance), page);
+  StudyRun run{study, out, provenance, {}};
+  const Json json = run_cores(run);
   if (session.json()) {
     print_result(session, json);
   } else {
-    print_table(cores);
-    fmt::print("\n{}\n\nreport: {}\n", headline(cores), page.string());
+    print_table(run.cores);
+    fmt::print("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
   }
   return ExitCode::done;
 }

@@ -1,6 +1,7 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <cmath>
 #include <random>
@@ -105,6 +106,7 @@ Optimum surroundings(const Attempt& best, const DifferencedCost& cost) {
 
 CalibrationResult calibrate(const CalibrationProblem& problem, const RunControl& control) {
   check(problem);
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
   std::vector<double> start;
   for (const auto& p : problem.parameters) start.push_back(p.start);
   const std::vector<double> first = problem.residuals(start);

@@ -33,8 +33,8 @@ void ImpactRecorder::add_impulse(double impulse, double start, double end) {
 
 void ImpactRecorder::add_sample(const Sample& sample, const EnergyBook& energies) {
   time_.push_back(next_sample());
-  deflection_.push_back(sample.deflection);
-  pole_deflection_.push_back(sample.pole_deflection);
+  deflection_.push_back(sample.deflection + 0.0);  // no "-0" at first touch
+  pole_deflection_.push_back(sample.pole_deflection + 0.0);
   contact_radius_.push_back(sample.contact_radius);
   energies_.push_back(energies);
 }
