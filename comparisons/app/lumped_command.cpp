@@ -25,11 +25,19 @@ std::string lumped_help() {
   return text + "\n" + exit_code_help();
 }
 
+LumpedResult simulate_located(const Document& document, const LumpedProblem& problem) {
+  try {
+    return simulate(problem);
+  } catch (const Error& error) {
+    throw document.located(error);
+  }
+}
+
 ExitCode run_lumped(const Session& session, const std::string& file) {
   const Document document = Document::load(file);
   const LumpedProblem problem = read_lumped_problem(document);
   if (!session.out.empty()) make_writable_folder(session.out);
-  const LumpedResult result = simulate(problem);
+  const LumpedResult result = simulate_located(document, problem);
   check_deflection(document, problem.sphere, result.scalars.peak_deflection);
   if (!session.out.empty())
     write_result({.folder = session.out,

@@ -141,8 +141,9 @@ Error Document::error_at(const std::string& key, const std::string& message,
 
 Error Document::located(const Error& error) const {
   const ErrorLocation& at = error.location();
-  if (!at.file.empty() || error.code() != ExitCode::bad_input) return error;
-  ErrorLocation location = error_at(at.key, "", at.allowed).location();
+  if (!at.file.empty()) return error;
+  ErrorLocation location = at.key.empty() ? at : error_at(at.key, "", at.allowed).location();
+  location.file = name_;
   if (location.value.empty()) location.value = at.value;
   return {error.code(), error.what(), location};
 }

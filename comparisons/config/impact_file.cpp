@@ -117,8 +117,8 @@ FemProblem read_fem_problem(const Document& document) {
   check_density(document, problem.sphere);
   check_fem(document, problem);
   const std::filesystem::path mesh = problem.mesh_file;
-  if (!mesh.empty() && mesh.is_relative())
-    problem.mesh_file = (document.folder() / mesh).string();
+  // Absolute, so that the effective configuration means the same file elsewhere.
+  if (!mesh.empty()) problem.mesh_file = std::filesystem::absolute(document.folder() / mesh).string();
   return problem;
 }
 

@@ -44,6 +44,7 @@ TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["error"]["code"], 3);
+  EXPECT_EQ(json["error"]["file"], "a.toml");
   EXPECT_FALSE(json.contains("restitution"));
   EXPECT_FALSE(there("results/trace.csv"));
   EXPECT_FALSE(there("results/result.json"));

@@ -187,7 +187,7 @@ TEST(ImpactFileTest, AMeshIsFoundBesideItsFile) {
   const std::string text = replaced(head + material, "tier = \"fem\"\n",
                                     "tier = \"fem\"\nmesh = \"ball.msh\"\n");
   const FemProblem problem = read_fem_problem(Document::parse(text, "some/where/f.toml"));
-  EXPECT_EQ(problem.mesh_file, "some/where/ball.msh");
+  EXPECT_EQ(problem.mesh_file, std::filesystem::absolute("some/where/ball.msh"));
 }
 
 }  // namespace
