@@ -22,13 +22,17 @@ namespace rebound::fem {
 /// close.
 ///
 /// Result: the trace (see ImpactRecorder), energies, closures. A result that
-/// is not complete says why in `incomplete_because`:  inversion of a cell, a
-/// step below 1e-4 of the first one, contact that has not ended by the end
-/// time, or interruption.
+/// is not complete says why in `incomplete_because`: inversion of a cell, a
+/// step below 1e-4 of the first one, a motion that is no longer finite, contact
+/// that has not ended by the end time, or interruption.
 /// Limit: elastic impact at low speed is Hertz with the finite-sphere
 ///        correction -> verification rung d.
-/// Error: second order in Δt, between first and second in the cell size
-///        (contact front) -> test ImpactConvergence.
+/// Error: that of the cell size; the stable step is far below what accuracy
+///        asks. Restitution and deflection converge between first and second
+///        order, constraint work in first; peak force and contact time carry
+///        the ripple of the contact front -> test ImpactConvergence.
+/// Errors: Error(bad_input) for numbers that are not positive and finite, the
+///        zero-deflection rule, or more than 100000 samples a contact.
 FemResult run_explicit_impact(const Discretisation& body, const FemProblem& problem,
                               const RunControl& control);
 
