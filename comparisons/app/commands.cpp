@@ -8,6 +8,8 @@ const std::vector<Command>& commands() {
       {"lumped", "one trace of a lumped contact law", declare_lumped},
       {"fem", "one trace of the FE tier", declare_fem},
       {"mesh", "the sphere mesh, with quality figures", declare_mesh},
+      {"calibrate", "a lumped law's parameters to traces, with uncertainty", declare_calibrate},
+      {"benchmark", "lumped laws against reference traces: one scored matrix", declare_benchmark},
       {"init", "commented files to start from", declare_init},
       {"schema", "JSON schema of a file format", declare_schema},
       {"doctor", "versions, folders, and a tiny run of each tier", declare_doctor},

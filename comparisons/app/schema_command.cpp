@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/benchmark/benchmark_file.hpp"
+#include "comparisons/calibration/calibration_file.hpp"
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/schema_writer.hpp"
@@ -23,6 +25,8 @@ const std::vector<Format>& formats() {
   static const std::vector<Format> list{
       {"lumped", [] { return json_schema<LumpedProblem>("Impact file, lumped tier"); }},
       {"fem", [] { return json_schema<FemProblem>("Impact file, FE tier"); }},
+      {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
+      {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
       {"published-values",
        [] { return json_schema<PublishedValues>("Published model values of a data set"); }},

@@ -78,7 +78,9 @@ void judge(const CalibrationParameter& parameter, bool is_flat, const std::strin
 }
 
 void conclude(const CalibrationProblem& problem, CalibrationResult& result) {
-  if (result.residual_autocorrelation > correlated)
+  // A fit down to rounding leaves smooth residuals that mean nothing.
+  const bool exact = result.cost_after <= 1e-12 * result.cost_before;
+  if (result.residual_autocorrelation > correlated && !exact)
     result.warnings.push_back(fmt::format(
         "neighbouring residuals are correlated ({:.2f}): this is model error rather than noise, "
         "and the intervals are too narrow",
@@ -96,9 +98,9 @@ void conclude(const CalibrationProblem& problem, CalibrationResult& result) {
   result.verdict =
       !result.converged
           ? std::string("not converged: the estimates are the best point seen")
-      : open == 0 ? fmt::format("all {} parameters identified; {}", result.estimates.size(), basis)
-                  : fmt::format("{} of {} parameters not determined by these data; {}", open,
-                                result.estimates.size(), basis);
+          : fmt::format("{} of {} parameters identified; {}",
+                        static_cast<int>(result.estimates.size()) - open, result.estimates.size(),
+                        basis);
 }
 
 }  // namespace

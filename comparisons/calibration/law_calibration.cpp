@@ -84,7 +84,8 @@ const ReferenceShot& fastest(const std::vector<ReferenceShot>& shots) {
 
 LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
                                        const std::string& damping_formula,
-                                       const LawCalibrationOptions& options) {
+                                       const LawCalibrationOptions& options,
+                                       const RunControl& control) {
   const ForceDeflectionResiduals residuals(shots, options);
   const auto model_at = [&](double stiffness, std::size_t i) {
     LumpedModel model;
@@ -104,7 +105,7 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
   problem.controls = options.controls;
 
   LawCalibration calibration;
-  calibration.fit = calibrate(problem);
+  calibration.fit = calibrate(problem, control);
   calibration.model.law = "hunt-crossley";
   const double stiffness = calibration.fit.estimates[0].value;
   calibration.model.parameters = {{"exponent", 1.5}, {"stiffness", stiffness}};
@@ -137,7 +138,7 @@ LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
 LawCalibration calibrate_law(const std::string& law, const std::vector<ReferenceShot>& shots,
                              const ParameterValues& fixed,
                              const std::vector<std::string>& also_free,
-                             const LawCalibrationOptions& options) {
+                             const LawCalibrationOptions& options, const RunControl& control) {
   const ForceDeflectionResiduals residuals(shots, options);
   const LawCard& card = find_law(law);
   for (const auto& [name, value] : fixed) card_of(card, name);
@@ -169,10 +170,32 @@ LawCalibration calibrate_law(const std::string& law, const std::vector<Reference
   };
   problem.noise = residuals.noise();
   problem.controls = options.controls;
-  calibration.fit = calibrate(problem);
+  calibration.fit = calibrate(problem, control);
   std::vector<double> estimates;
   for (const auto& e : calibration.fit.estimates) estimates.push_back(e.value);
   calibration.model = model_of(estimates);
+  return calibration;
+}
+
+LawCalibration calibrate(const LawRequest& request, const std::vector<ReferenceShot>& shots,
+                         const LawCalibrationOptions& options, const RunControl& control) {
+  if (request.damping_formula.empty())
+    return calibrate_law(request.law, shots, request.fixed, request.free, options, control);
+  const bool equivalent = request.law == "equivalent-kelvin-voigt";
+  if (!equivalent && request.law != "hunt-crossley")
+    throw Error(ExitCode::bad_input,
+                "a damping formula calibrates hunt-crossley or equivalent-kelvin-voigt only",
+                {.key = "damping_formula", .value = request.damping_formula,
+                 .allowed = "leave it out, or another law"});
+  if (!request.fixed.empty() || !request.free.empty())
+    throw Error(ExitCode::bad_input,
+                "with a damping formula only the stiffness is fitted; nothing else may be fixed "
+                "or free",
+                {.key = "damping_formula", .value = request.damping_formula,
+                 .allowed = "leave out fixed and free, or the formula"});
+  LawCalibration calibration =
+      calibrate_hunt_crossley(shots, request.damping_formula, options, control);
+  if (equivalent) calibration.model = linearise_at_mean_deflection(calibration.model, shots);
   return calibration;
 }
 

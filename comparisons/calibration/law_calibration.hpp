@@ -46,7 +46,8 @@ struct LawCalibration {
 ///         outside (0, 1], an unknown formula.
 LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
                                        const std::string& damping_formula,
-                                       const LawCalibrationOptions& options = {});
+                                       const LawCalibrationOptions& options = {},
+                                       const RunControl& control = {});
 
 /// The paper's equivalent Kelvin–Voigt: κ and λ of a calibrated Hunt–Crossley
 /// law, frozen at the mean deflection x_R of each reference (Eq. 15). Nothing
@@ -65,6 +66,25 @@ LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
 LawCalibration calibrate_law(const std::string& law, const std::vector<ReferenceShot>& shots,
                              const ParameterValues& fixed,
                              const std::vector<std::string>& also_free = {},
-                             const LawCalibrationOptions& options = {});
+                             const LawCalibrationOptions& options = {},
+                             const RunControl& control = {});
+
+/// A law to be calibrated, as a file asks for it.
+struct LawRequest {
+  std::string law = "hunt-crossley";
+  /// Empty: damping is a free parameter. Otherwise one stiffness is fitted
+  /// and the damping of each shot follows from its restitution; for
+  /// hunt-crossley, and for equivalent-kelvin-voigt by way of it.
+  std::string damping_formula;
+  ParameterValues fixed;
+  std::vector<std::string> free;  ///< parameters with a default that are to be fitted as well
+};
+
+/// Whichever of the above the request means.
+/// Errors: Error(bad_input) as above, or for a damping formula together with a
+///         law that has none here, or with fixed or free parameters.
+LawCalibration calibrate(const LawRequest& request, const std::vector<ReferenceShot>& shots,
+                         const LawCalibrationOptions& options = {},
+                         const RunControl& control = {});
 
 }  // namespace rebound

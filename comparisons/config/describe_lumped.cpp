@@ -8,18 +8,6 @@
 namespace rebound {
 namespace {
 
-std::vector<std::string> law_names() {
-  std::vector<std::string> names;
-  for (const LawCard& card : all_laws()) names.push_back(card.name);
-  return names;
-}
-
-std::vector<std::string> formula_names() {
-  std::vector<std::string> names;
-  for (const DampingFormula& formula : damping_formulas()) names.push_back(formula.name);
-  return names;
-}
-
 /// `values` already holds the parameters that set the dimension of this one.
 Key key_of(const ParameterCard& card, const ParameterValues& values) {
   return {.name = card.name,
@@ -59,20 +47,37 @@ void describe_at_speed(Visitor& visit, LumpedModel& model, ParametersAtSpeed& at
                 .unit = "m/s",
                 .range = above(0.0)},
                at.speed);
+  describe_some_parameters(visit, model.law, model.parameters, at.parameters);
+}
+
+}  // namespace
+
+void describe_some_parameters(Visitor& visit, std::string& law, const ParameterValues& known,
+                              ParameterValues& values) {
   visit.cases(
-      law_names(), model.law, [&](const std::string& law) { model.law = law; },
+      law_names(), law, [&](const std::string& name) { law = name; },
       [&](Visitor& inner) {
-        ParameterValues known = model.parameters;
-        for (const ParameterCard& card : find_law(model.law).parameters) {
-          Key key = key_of(card, known);
+        ParameterValues seen = known;
+        for (const ParameterCard& card : find_law(law).parameters) {
+          Key key = key_of(card, seen);
           key.presence = Presence::optional;
-          visit_parameter(inner, key, std::nullopt, at.parameters);
-          if (at.parameters.contains(card.name)) known[card.name] = at.parameters.at(card.name);
+          visit_parameter(inner, key, std::nullopt, values);
+          if (values.contains(card.name)) seen[card.name] = values.at(card.name);
         }
       });
 }
 
-}  // namespace
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawCard& card : all_laws()) names.push_back(card.name);
+  return names;
+}
+
+std::vector<std::string> formula_names() {
+  std::vector<std::string> names;
+  for (const DampingFormula& formula : damping_formulas()) names.push_back(formula.name);
+  return names;
+}
 
 void describe(Visitor& visit, LumpedControls& controls) {
   visit.number({.name = "relative_tolerance",

@@ -11,6 +11,15 @@ void describe(Visitor& visit, LumpedControls& controls);
 /// which units, the card of the chosen law says.
 void describe_lumped_model(Visitor& visit, LumpedModel& model);
 
+/// Parameters of `law`, none of them required; `known` are values given
+/// elsewhere that may set the units of these.
+void describe_some_parameters(Visitor& visit, std::string& law, const ParameterValues& known,
+                              ParameterValues& values);
+
+/// Names a file may use for a law and for a damping formula.
+std::vector<std::string> law_names();
+std::vector<std::string> formula_names();
+
 /// A whole lumped impact file.
 void describe(Visitor& visit, LumpedProblem& problem);
 

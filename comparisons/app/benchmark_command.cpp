@@ -1,0 +1,74 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/benchmark/benchmark_file.hpp"
+#include "comparisons/config/document.hpp"
+#include "comparisons/config/help_writer.hpp"
+#include "comparisons/config/impact_file.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/references/read_references.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+std::string benchmark_help() {
+  return "Keys of FILE (TOML):\n" + help_text<BenchmarkFile>() +
+         "\n--out writes benchmark.json.\n\n" + exit_code_help();
+}
+
+BenchmarkEntry entry_of(const Document& document, const BenchmarkRow& row,
+                        const std::vector<ReferenceShot>& shots, const RunControl& control) {
+  if (!row.file.empty()) return {row.label, read_lumped_file(document.folder() / row.file).model};
+  try {
+    return {row.label, calibrate(row.request, shots, {}, control).model};
+  } catch (const Error& error) {
+    throw document.located(error);
+  }
+}
+
+ExitCode run_benchmark(const Session& session, const std::string& path) {
+  const Document document = Document::load(path);
+  BenchmarkFile file;
+  read_document(document, file);
+  std::vector<BenchmarkReference> references;
+  for (const auto& folder : file.references)
+    for (auto& found : read_references(document.folder() / folder.folder))
+      references.push_back(std::move(found));
+  std::vector<ReferenceShot> shots;
+  for (const auto& reference : references) shots.push_back(reference.shot);
+  if (!session.out.empty()) make_writable_folder(session.out);
+  const BenchmarkMatrix matrix = [&] {
+    ProgressLine progress("benchmark");
+    std::vector<BenchmarkEntry> entries;
+    for (const auto& row : file.rows)
+      entries.push_back(entry_of(document, row, shots, progress.control()));
+    return benchmark(entries, references, progress.control());
+  }();
+  Json json = {{"schema", 1}};
+  json.update(to_json(matrix));
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
+    write_file_atomically(session.out / "benchmark.json", dump(stored));
+  }
+  fmt::print("{}", session.json() ? dump(json) : to_text(matrix));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_benchmark(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Benchmark file: laws, and what they are scored against")
+      ->required();
+  command.footer(benchmark_help);
+  return [file](const Session& session) { return run_benchmark(session, *file); };
+}
+
+}  // namespace rebound

@@ -1,0 +1,89 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/calibration/calibration_file.hpp"
+#include "comparisons/config/describe_lumped.hpp"
+#include "comparisons/config/document.hpp"
+#include "comparisons/config/help_writer.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/config/toml_writer.hpp"
+#include "comparisons/references/read_references.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+std::string calibrate_help() {
+  return "Keys of FILE (TOML):\n" + help_text<CalibrationFile>() +
+         "\nThe calibrated law is printed as an impact file that `rebound lumped` runs; --out "
+         "writes it to\ncalibrated.toml, beside calibration.json.\n\n" +
+         exit_code_help();
+}
+
+std::vector<ReferenceShot> read_shots(const Document& document, const CalibrationFile& file,
+                                      std::vector<std::string>& labels) {
+  std::vector<ReferenceShot> shots;
+  for (const auto& reference : file.references)
+    for (auto& found : read_references(document.folder() / reference.folder)) {
+      labels.push_back(found.label);
+      shots.push_back(std::move(found.shot));
+    }
+  return shots;
+}
+
+/// The first reference's impact under the calibrated law.
+std::string impact_file_of(const LawCalibration& calibration,
+                           const std::vector<ReferenceShot>& shots) {
+  return write_toml(LumpedProblem{.sphere = shots.front().sphere, .impact = shots.front().impact,
+                                  .model = calibration.model, .controls = {}});
+}
+
+ExitCode run_calibrate(const Session& session, const std::string& path) {
+  const Document document = Document::load(path);
+  CalibrationFile file;
+  read_document(document, file);
+  std::vector<std::string> labels;
+  const std::vector<ReferenceShot> shots = read_shots(document, file, labels);
+  if (!session.out.empty()) make_writable_folder(session.out);
+  const LawCalibration calibration = [&] {
+    ProgressLine progress("calibration");
+    try {
+      return calibrate(file.request, shots, file.options, progress.control());
+    } catch (const Error& error) {
+      throw document.located(error);
+    }
+  }();
+  const std::string toml = impact_file_of(calibration, shots);
+  Json json = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}};
+  json.update(to_json(calibration.fit));
+  json["seed"] = file.options.controls.seed;
+  json["model_toml"] = toml;
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
+    write_file_atomically(session.out / "calibrated.toml", toml);
+    write_file_atomically(session.out / "calibration.json", dump(stored));
+  }
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    fmt::print("{}\n{}", to_text(calibration.fit), toml);
+  return calibration.fit.converged ? ExitCode::done : ExitCode::solver_failed;
+}
+
+}  // namespace
+
+Action declare_calibrate(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Calibration file: a law, and what it is calibrated to")
+      ->required();
+  command.footer(calibrate_help);
+  return [file](const Session& session) { return run_calibrate(session, *file); };
+}
+
+}  // namespace rebound

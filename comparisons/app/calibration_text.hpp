@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/benchmark/benchmark.hpp"
+#include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/results/json.hpp"
+
+/// Calibration and benchmark results as JSON and as text for a terminal.
+namespace rebound {
+
+Json to_json(const CalibrationResult& result);
+std::string to_text(const CalibrationResult& result);
+
+Json to_json(const BenchmarkMatrix& matrix);
+/// One block a quantity, laws down, references across, errors in per cent.
+std::string to_text(const BenchmarkMatrix& matrix);
+
+}  // namespace rebound

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/calibration/law_calibration.hpp"
+#include "comparisons/config/visitor.hpp"
+
+namespace rebound {
+
+/// A folder with references: a data set or a result.
+struct ReferenceFolder {
+  std::string folder;  ///< relative to the file that names it
+};
+
+/// What `rebound calibrate FILE` reads.
+struct CalibrationFile {
+  LawRequest request;
+  LawCalibrationOptions options;
+  std::vector<ReferenceFolder> references;
+};
+
+void describe(Visitor& visit, ReferenceFolder& reference);
+void describe(Visitor& visit, CalibrationFile& file);
+
+/// The members of a request, without a table of their own.
+void describe_law_request(Visitor& visit, LawRequest& request);
+
+}  // namespace rebound
