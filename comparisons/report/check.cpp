@@ -81,6 +81,29 @@ void check_figure(const Place& outside, const Figure& figure) {
   }
 }
 
+void check_animation(const Place& outside, const Animation& animation) {
+  const Place place = outside.inside("animation", animation.title);
+  place.require(!animation.title.empty(), "no title");
+  place.require(!animation.length_unit.empty() && !animation.time_unit.empty(), "no unit");
+  place.require(!animation.cells.empty() && !animation.frames.empty(), "no cells or no frames");
+  const std::size_t vertices = animation.frames.front().radius.size();
+  for (std::size_t i = 0; i < animation.frames.size(); ++i) {
+    const AnimationFrame& frame = animation.frames[i];
+    place.require(frame.radius.size() == vertices && frame.height.size() == vertices,
+                  "a frame has not all vertices");
+    check_numbers(place, frame.radius, "radius");
+    check_numbers(place, frame.height, "height");
+    place.require(std::isfinite(frame.time), "a time is not finite");
+    place.require(i == 0 || frame.time > animation.frames[i - 1].time, "time does not increase");
+  }
+  for (const auto& cell : animation.cells) {
+    for (const int vertex : cell) {
+      place.require(vertex >= 0 && static_cast<std::size_t>(vertex) < vertices,
+                    "a cell names a vertex that is not there");
+    }
+  }
+}
+
 void check_table(const Place& outside, const Table& table) {
   const Place place = outside.inside("table", table.title);
   place.require(!table.title.empty(), "no title");
@@ -164,6 +187,7 @@ void check_report(const Report& report) {
     for (const Block& block : section.blocks) {
       if (const auto* table = std::get_if<Table>(&block)) check_table(at, *table);
       if (const auto* figure = std::get_if<Figure>(&block)) check_figure(at, *figure);
+      if (const auto* moving = std::get_if<Animation>(&block)) check_animation(at, *moving);
       if (const auto* matrix = std::get_if<Matrix>(&block)) check_matrix(at, *matrix, overlays);
       if (const auto* items = std::get_if<Overlays>(&block)) check_overlays(at, *items);
     }

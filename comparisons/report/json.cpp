@@ -58,6 +58,21 @@ static void to_json(json& out, const Figure& figure) {
          {"x", figure.x},    {"y", figure.y},         {"series", figure.series}};
 }
 
+static void to_json(json& out, const AnimationFrame& frame) {
+  out = {{"time", frame.time}, {"radius", frame.radius}, {"height", frame.height}};
+}
+
+static void to_json(json& out, const Animation& animation) {
+  out = {{"kind", "animation"},
+         {"title", animation.title},
+         {"caption", animation.caption},
+         {"origin", animation.origin},
+         {"length_unit", animation.length_unit},
+         {"time_unit", animation.time_unit},
+         {"cells", animation.cells},
+         {"frames", animation.frames}};
+}
+
 static void to_json(json& out, const TableColumn& column) {
   out = {{"name", column.name},
          {"unit", column.unit},

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "comparisons/report/animation.hpp"
 #include "comparisons/report/figure.hpp"
 #include "comparisons/report/matrix.hpp"
 #include "comparisons/report/table.hpp"
@@ -45,7 +46,7 @@ struct Overlays {
   std::vector<Overlay> items;
 };
 
-using Block = std::variant<Paragraph, Notice, Verbatim, Table, Figure, Matrix, Overlays>;
+using Block = std::variant<Paragraph, Notice, Verbatim, Table, Figure, Animation, Matrix, Overlays>;
 
 struct Section {
   enum class Folding { open, folded };

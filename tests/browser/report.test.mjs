@@ -90,6 +90,20 @@ test("the legend hides a series in all figures of its group", () => withPage(dem
   assert.deepEqual(await traces(), before.map((count) => count - 1));
 }));
 
+test("the half-section moves with the slider and by itself", () => withPage(demo, 1280, async ({ page, complaints }) => {
+  const shape = () => page.getAttribute(".moving .cells", "d");
+  const atFirst = await shape();
+  await page.focus(".moving input");
+  await page.keyboard.press("End");
+  assert.match(await page.textContent(".moving output"), /2(\.0+)? ms$/);
+  for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowLeft");
+  const squeezed = await shape();
+  assert.notEqual(squeezed, atFirst);
+  await page.click(".moving button");
+  await page.waitForFunction((before) => document.querySelector(".moving .cells").getAttribute("d") !== before, squeezed);
+  assert.deepEqual(complaints, []);
+}));
+
 test("folded sections open and show their text", () => withPage(demo, 1280, async ({ page }) => {
   assert.equal(await page.isVisible("pre"), false);
   await page.click("summary");

@@ -25,6 +25,7 @@ function renderBlock(block, later) {
     case "verbatim": return renderVerbatim(block);
     case "table": return renderTable(block);
     case "figure": return renderLoneFigure(block, later);
+    case "animation": return renderAnimation(block);
     case "matrix": return renderMatrix(block, chooseOverlay, onChosen);
     case "overlays": return renderOverlays(block, later);
     default: throw new Error(`unknown block "${block.kind}"`);

@@ -42,7 +42,7 @@ function scrollBox(label, content) {
 
 /** Heading and caption around a figure, table or matrix. */
 function captioned(kind, record, ...content) {
-  const caption = element("figcaption", {}, element("h3", {}, record.title));
+  const caption = element("figcaption", {}, element("h3", {}, record.title, " ", originTag(record.origin)));
   if (record.caption) caption.append(element("p", {}, record.caption));
   return element("figure", { class: kind }, caption, ...content);
 }

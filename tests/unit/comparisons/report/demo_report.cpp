@@ -175,6 +175,35 @@ Figure convergence() {
   return figure;
 }
 
+/// A half-disc of polar cells that is pressed flat and springs back, by formula alone.
+Animation squeezed_disc() {
+  constexpr int rings = 10, sectors = 24, frames = 16;
+  constexpr double disc_radius = 33.0;
+  Animation animation{.title = "A made-up half-section", .caption = "TEST DATA: an affine squeeze.",
+                      .origin = Origin::predicted, .length_unit = "mm", .time_unit = "ms",
+                      .cells = {}, .frames = {}};
+  for (int ring = 0; ring < rings; ++ring) {
+    for (int sector = 0; sector < sectors; ++sector) {
+      const int corner = ring * (sectors + 1) + sector;
+      animation.cells.push_back({corner, corner + sectors + 1, corner + sectors + 2, corner + 1});
+    }
+  }
+  for (int i = 0; i <= frames; ++i) {
+    const double squeeze = 0.25 * std::sin(std::numbers::pi * i / frames);
+    AnimationFrame frame{.time = 2.0 * i / frames, .radius = {}, .height = {}};
+    for (int ring = 0; ring <= rings; ++ring) {
+      for (int sector = 0; sector <= sectors; ++sector) {
+        const double angle = std::numbers::pi * sector / sectors;
+        const double distance = disc_radius * ring / rings;
+        frame.radius.push_back(distance * std::sin(angle) * (1.0 + 0.5 * squeeze));
+        frame.height.push_back((disc_radius - distance * std::cos(angle)) * (1.0 - squeeze));
+      }
+    }
+    animation.frames.push_back(frame);
+  }
+  return animation;
+}
+
 Table checks_table() {
   using Verdict = TableCell::Verdict;
   Table table{.title = "Checks that were not fitted", .caption = "TEST DATA.", .columns = {}, .rows = {}};
@@ -212,7 +241,7 @@ Report demo_report(const std::string& ball_name) {
       {"Checks that were not fitted", Section::Folding::open,
        {checks_table(), Notice{Notice::Level::failure, "The mean deflection is 20 % low."},
         Notice{Notice::Level::abstention, "The residual deflection does not tell the laws apart."}}},
-      {"Credibility", Section::Folding::open, {convergence()}},
+      {"Credibility", Section::Folding::open, {convergence(), squeezed_disc()}},
       {"Provenance", Section::Folding::folded,
        {Paragraph{"Made by the tests."}, Verbatim{"Command", "write_demo_report " + ball_name}}}};
   return report;

@@ -14,8 +14,8 @@ TEST(ReportJson, CarriesItsSchemaAndEveryBlockItsKind) {
   for (const auto& section : object.at("sections")) {
     for (const auto& block : section.at("blocks")) kinds.insert(block.at("kind"));
   }
-  const std::set<std::string> expected{"figure",   "matrix", "notice",  "overlays",
-                                       "paragraph", "table",  "verbatim"};
+  const std::set<std::string> expected{"animation", "figure",    "matrix", "notice",
+                                       "overlays",  "paragraph", "table",  "verbatim"};
   EXPECT_EQ(kinds, expected);
 }
 
