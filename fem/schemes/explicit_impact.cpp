@@ -9,6 +9,7 @@
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/kernel/cell_batches.hpp"
 #include "fem/output/field_writer.hpp"
+#include "fem/output/shape_recorder.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "fem/schemes/prony_steps.hpp"
 #include "lumped/problem/error.hpp"
@@ -66,6 +67,7 @@ class ExplicitImpact {
   double expected_time_, end_time_;
   ImpactRecorder recorder_;
   FieldWriter fields_;
+  ShapeRecorder shapes_;
   CellSummary summary_;
   double first_step_ = 0.0, step_before_ = 0.0, step_ = 0.0, smallest_step_ = 0.0;
   PronySteps prony_;
@@ -98,6 +100,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
                                                      : expected_time_ / 200,
                 expected_time_),
       fields_(body, problem, 1.3 * expected_time_),
+      shapes_(body, problem.controls.shape_frames, 1.3 * expected_time_),
       first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
       step_before_(first_step_),
       step_(first_step_),
@@ -219,6 +222,7 @@ void ExplicitImpact::step() {
   time_ += step_;
   ++steps_;
   fields_.write_due_frames(time_, displacement_, velocity_);
+  shapes_.record_if_due(time_, displacement_);
   choose_next_step();
   prony_.advance(step_);
 }
@@ -269,6 +273,7 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
   result.kernel = kernel_.name;
   result.incomplete_because = std::move(incomplete_because);
   fields_.write_collection();
+  result.shapes = shapes_.history();
   if (!result.incomplete_because.empty()) return result;
 
   const double v0 = problem_.impact.speed;
@@ -296,7 +301,9 @@ void check(const FemProblem& problem) {
   };
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   const auto zero_or_positive = [&](double value) { return value == 0 || positive(value); };
-  const auto& [safety, interval, end_time, frames, folder] = problem.controls;
+  const double safety = problem.controls.step_safety;
+  const double interval = problem.controls.output_interval;
+  const double end_time = problem.controls.end_time;
   if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
   if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
   if (!positive(problem.impact.speed)) refuse("impact.speed", problem.impact.speed, "> 0 m/s");

@@ -12,6 +12,7 @@ struct FemControls {
   double step_safety = 0.9;      ///< step over the stable step, in (0, 1]
   double output_interval = 0.0;  ///< trace spacing [s]; 0: a 200th of the Hertz contact time
   double end_time = 0.0;         ///< give up after this much contact [s]; 0: 20 Hertz contact times
+  int shape_frames = 0;          ///< shapes kept in the result, over the contact; 0: none
   int field_frames = 0;          ///< number of field outputs over the contact; 0: none
   std::string field_directory;   ///< where VTU and PVD go; needed when field_frames > 0
 };

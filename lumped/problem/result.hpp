@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,13 @@ struct EnergyBook {
   double contact_constraint = 0.0; ///< lost when nodes are caught by the plate
 };
 
+/// The body's shape at a few instants, for pictures. Vertices are in the solver's order.
+struct ShapeHistory {
+  std::vector<std::array<int, 4>> cells;  ///< vertex numbers, counter-clockwise
+  std::vector<double> time;               ///< [s]
+  std::vector<std::vector<std::array<double, 2>>> positions;  ///< per time, per vertex (r, z) [m]
+};
+
 /// Result of one FE impact.
 struct FemResult {
   Trace trace;
@@ -64,6 +72,7 @@ struct FemResult {
   double setup_seconds = 0.0;
   std::string kernel;                   ///< instruction set the kernel was dispatched to
   std::vector<EnergyBook> energies;     ///< one per trace sample
+  ShapeHistory shapes;                  ///< empty unless `controls.shape_frames` asks for it
   /// Empty when complete; otherwise why the run ended early. No scalar of an
   /// incomplete result may be reported.
   std::string incomplete_because;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/report/animation.hpp"
+#include "lumped/problem/result.hpp"
+
+namespace rebound::report {
+
+/// An FE impact's shapes as an animation in millimetres and milliseconds, positions
+/// rounded to a micrometre (a picture shows less, and the file stays small).
+/// Errors: Error(bad_input) when `shapes` is empty (see FemControls::shape_frames).
+Animation half_section(const ShapeHistory& shapes, const std::string& title,
+                       const std::string& caption);
+
+}  // namespace rebound::report
