@@ -66,6 +66,16 @@ inline Material unit_material(ElasticModel elastic = ElasticModel::neo_hookean) 
   return {.elastic = elastic, .youngs_modulus = 2.8, .poisson_ratio = 0.4};
 }
 
+/// The common case of the verification ladder: R = 33.1 mm, m = 89.6 g,
+/// E = 10 MPa, ν = 0.4.
+inline FemProblem common_case(double speed) {
+  FemProblem problem;
+  problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
+  problem.impact.speed = speed;
+  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.4};
+  return problem;
+}
+
 /// One body, one material, one kernel: forces and energy as functions of the
 /// displacement [node][2].
 class KernelCase {

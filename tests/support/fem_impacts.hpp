@@ -4,18 +4,9 @@
 
 #include "fem/schemes/explicit_impact.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
+#include "tests/support/fem_cases.hpp"
 
 namespace rebound::test {
-
-/// The common case of the verification ladder: R = 33.1 mm, m = 89.6 g,
-/// E = 10 MPa, ν = 0.4.
-inline FemProblem common_case(double speed) {
-  FemProblem problem;
-  problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
-  problem.impact.speed = speed;
-  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.4};
-  return problem;
-}
 
 /// Runs the impact and holds it to what every complete run must satisfy:
 /// contact force against momentum, and energy with all channels booked.

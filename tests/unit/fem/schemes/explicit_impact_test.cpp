@@ -10,21 +10,16 @@
 #include <limits>
 
 #include "meshes/generate/sphere_mesh.hpp"
+#include "tests/support/fem_cases.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace rebound::fem {
 namespace {
 
+using test::common_case;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-FemProblem core_a(double speed) {
-  FemProblem problem;
-  problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
-  problem.impact.speed = speed;
-  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.4};
-  return problem;
-}
 
 const Discretisation& small_sphere() {
   static const Discretisation body =
@@ -54,7 +49,7 @@ void expect_all_finite(const FemResult& result) {
 }
 
 TEST(ExplicitImpactTest, TooShortAnEndTimeGivesNoScalars) {
-  FemProblem problem = core_a(15);
+  FemProblem problem = common_case(15);
   problem.controls.end_time = 0.5e-3;
   const FemResult result = run_explicit_impact(small_sphere(), problem, {});
   EXPECT_NE(result.incomplete_because.find("had not ended"), std::string::npos);
@@ -69,7 +64,7 @@ TEST(ExplicitImpactTest, InterruptionKeepsTheTraceAndNoScalars) {
   RunControl control;
   control.interrupted = [&] { return ++asked == 5; };
   control.progress = [&](double done) { progress = done; };
-  const FemResult result = run_explicit_impact(small_sphere(), core_a(15), control);
+  const FemResult result = run_explicit_impact(small_sphere(), common_case(15), control);
   EXPECT_EQ(result.incomplete_because, "interrupted");
   EXPECT_EQ(asked, 5);
   EXPECT_GT(progress, 0.0);
@@ -80,7 +75,7 @@ TEST(ExplicitImpactTest, InterruptionKeepsTheTraceAndNoScalars) {
 
 TEST(ExplicitImpactTest, SoftBallAtHighSpeedCompletes) {
   for (const auto elastic : {ElasticModel::neo_hookean, ElasticModel::neo_hookean_isochoric}) {
-    FemProblem problem = core_a(25);
+    FemProblem problem = common_case(25);
     problem.material.elastic = elastic;
     problem.material.youngs_modulus = 2e6;
     const FemResult result = run_explicit_impact(small_sphere(), problem, {});
@@ -94,7 +89,7 @@ TEST(ExplicitImpactTest, SoftBallAtHighSpeedCompletes) {
 }
 
 TEST(ExplicitImpactTest, TooHighASpeedIsNoResult) {
-  FemProblem problem = core_a(150);  // twice the shear wave speed
+  FemProblem problem = common_case(150);  // twice the shear wave speed
   const FemResult result = run_explicit_impact(small_sphere(), problem, {});
   EXPECT_NE(result.incomplete_because, "");
   expect_no_scalars(result);
@@ -105,7 +100,7 @@ TEST(ExplicitImpactTest, NotANumberIsNoResult) {
   // that none sees it.
   Discretisation body = small_sphere();
   body.mass[body.contact_nodes[2]] = nan;
-  FemProblem problem = core_a(15);
+  FemProblem problem = common_case(15);
   problem.controls.output_interval = 1.0;
   const FemResult result = run_explicit_impact(body, problem, {});
   EXPECT_EQ(result.incomplete_because, "the motion is no longer finite");
@@ -113,7 +108,7 @@ TEST(ExplicitImpactTest, NotANumberIsNoResult) {
 }
 
 TEST(ExplicitImpactTest, RefusesTheZeroDeflectionRule) {
-  FemProblem problem = core_a(15);
+  FemProblem problem = common_case(15);
   problem.impact.separation = SeparationRule::zero_deflection;
   const Error error = testing::refusal_of([&] { run_explicit_impact(small_sphere(), problem, {}); });
   EXPECT_EQ(error.code(), ExitCode::bad_input);
@@ -122,7 +117,7 @@ TEST(ExplicitImpactTest, RefusesTheZeroDeflectionRule) {
 
 TEST(ExplicitImpactTest, RefusesNumbersOutOfRange) {
   const auto key_refused = [](auto change) {
-    FemProblem problem = core_a(15);
+    FemProblem problem = common_case(15);
     change(problem);
     const Error error = testing::refusal_of([&] { run_explicit_impact(small_sphere(), problem, {}); });
     EXPECT_EQ(error.code(), ExitCode::bad_input);
@@ -144,14 +139,14 @@ TEST(ExplicitImpactTest, RefusesNumbersOutOfRange) {
 }
 
 TEST(ExplicitImpactTest, SameInputSameBits) {
-  const FemResult a = run_explicit_impact(small_sphere(), core_a(15), {});
-  const FemResult b = run_explicit_impact(small_sphere(), core_a(15), {});
+  const FemResult a = run_explicit_impact(small_sphere(), common_case(15), {});
+  const FemResult b = run_explicit_impact(small_sphere(), common_case(15), {});
   EXPECT_EQ(a.trace.force, b.trace.force);
   EXPECT_EQ(a.scalars.restitution, b.scalars.restitution);
 }
 
 TEST(ExplicitImpactTest, OutputIntervalDoesNotChangeTheMotion) {
-  FemProblem problem = core_a(15);
+  FemProblem problem = common_case(15);
   const FemResult fine = run_explicit_impact(small_sphere(), problem, {});
   problem.controls.output_interval = 50e-6;
   const FemResult coarse = run_explicit_impact(small_sphere(), problem, {});
@@ -164,7 +159,7 @@ TEST(ExplicitImpactTest, OutputIntervalDoesNotChangeTheMotion) {
 TEST(ExplicitImpactTest, WritesFieldsForParaView) {
   const auto folder = std::filesystem::temp_directory_path() / "rebound-fields-test";
   std::filesystem::remove_all(folder);
-  FemProblem problem = core_a(15);
+  FemProblem problem = common_case(15);
   problem.controls.field_frames = 8;
   problem.controls.field_directory = folder.string();
   ASSERT_EQ(run_explicit_impact(small_sphere(), problem, {}).incomplete_because, "");

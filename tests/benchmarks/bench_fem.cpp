@@ -1,0 +1,156 @@
+// Speed of the FE tier: memory bandwidth of this machine, nanoseconds per cell
+// and step of the kernel, milliseconds per whole impact. Figures exclude
+// process start and meshing. Time is the mean; the counters are of the fastest
+// iteration, which other work on the machine disturbs least.
+//
+//   ninja bench                       this beside the lumped tier
+//   bench_fem --benchmark_filter=impact
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fem/schemes/explicit_impact.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
+#include "tests/support/fem_cases.hpp"
+
+namespace {
+
+using namespace rebound;
+
+constexpr double radius = 0.0331;
+
+/// About 1000 cells, cut into four once or twice: 4000, 16000.
+const Mesh& sphere(int refinements) {
+  static std::map<int, Mesh> known;
+  if (!known.contains(refinements))
+    known[refinements] = refinements == 0
+                             ? generate_sphere_mesh({.radius = radius, .cells = 1000})
+                             : test::refined_sphere(sphere(refinements - 1), radius);
+  return known[refinements];
+}
+
+FemProblem problem_with(int branches) {
+  FemProblem problem = test::common_case(15.0);
+  problem.material.branches = {{0.3, 0.3e-3, Relaxes::all}, {0.1, 3e-3, Relaxes::deviator}};
+  problem.material.branches.resize(branches);
+  return problem;
+}
+
+/// Runs `work`, which returns the seconds it took; returns the fastest.
+template <class Work>
+double fastest(benchmark::State& state, const Work& work) {
+  double best = std::numeric_limits<double>::infinity();
+  for (auto _ : state) {
+    const double seconds = work();
+    state.SetIterationTime(seconds);
+    best = std::min(best, seconds);
+  }
+  return best;
+}
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// a = b + s c over arrays that fit no cache: what memory can do.
+void memory_triad(benchmark::State& state) {
+  const std::size_t size = std::size_t{1} << 23;
+  std::vector<double> a(size), b(size, 1.0), c(size, 2.0);
+  const double best = fastest(state, [&] {
+    return seconds_of([&] {
+      for (std::size_t i = 0; i < size; ++i) a[i] = b[i] + 3.0 * c[i];
+      benchmark::DoNotOptimize(a.data());
+      benchmark::ClobberMemory();
+    });
+  });
+  state.counters["GB_per_s"] = 1e-9 * 3 * sizeof(double) * static_cast<double>(size) / best;
+}
+
+/// Bytes that one cell moves in one step: geometry, node numbers, carried
+/// tensors read and written, displacements and forces of about one node a cell.
+double bytes_per_cell(int branches) {
+  using namespace fem;
+  return points_per_cell * (geometry_stride + 2 * branches * history_stride) * 8 +
+         nodes_per_cell * 4 + 8 + 3 * 16;
+}
+
+void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branches, int refinements) {
+  const FemProblem problem = problem_with(branches);
+  const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
+  const auto constants = fem::viscoelastic_constants(problem.material);
+  const fem::CellBatches cells(body, constants, problem.material.elastic, kernel->width);
+  const fem::PronySteps prony(constants, 1e-6);
+  auto history = cells.make_history();
+  const auto u = test::stretched(body, 1.02, 0.95);
+  std::vector<double> force(u.size(), 0.0);
+  const double best = fastest(state, [&] {
+    return seconds_of([&] {
+      benchmark::DoNotOptimize(kernel->internal_forces(cells.arrays(), prony.data(), u.data(),
+                                                       history.data(), force.data()));
+    });
+  });
+  const auto count = static_cast<double>(body.cells.size());
+  state.counters["cells"] = count;
+  state.counters["ns_per_cell_step"] = 1e9 * best / count;
+  state.counters["GB_per_s"] = 1e-9 * count * bytes_per_cell(branches) / best;
+}
+
+void impact(benchmark::State& state, int branches, int refinements) {
+  const FemProblem problem = problem_with(branches);
+  const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
+  FemResult result;
+  const double best = fastest(state, [&] {
+    result = fem::run_explicit_impact(body, problem, {});
+    return result.wall_seconds;
+  });
+  if (!result.incomplete_because.empty()) state.SkipWithError(result.incomplete_because.c_str());
+  state.counters["cells"] = result.cells;
+  state.counters["steps"] = static_cast<double>(result.steps);
+  state.counters["step_loop_ms"] = 1e3 * best;
+  state.counters["setup_ms"] = 1e3 * result.setup_seconds;
+  state.counters["ns_per_cell_step"] = 1e9 * best / (result.cells * static_cast<double>(result.steps));
+  state.counters["restitution"] = result.restitution_momentum;
+}
+
+using Registered = benchmark::internal::Benchmark*;
+
+template <class... Arguments>
+Registered add(const std::string& name, Arguments... arguments) {
+  return benchmark::RegisterBenchmark(name.c_str(), arguments...)->UseManualTime();
+}
+
+void register_all() {
+  const std::string sizes[] = {"1000", "4000", "16000"};
+  add("memory_triad", memory_triad)->Unit(benchmark::kMillisecond)->Iterations(20);
+  for (const std::string name : {"baseline", "avx2", "avx512"})
+    if (const fem::CellKernel* kernel = fem::find_cell_kernel(name))
+      for (int branches = 0; branches <= 2; ++branches)
+        for (int size = 0; size < 3; ++size)
+          add("kernel/" + name + "/branches:" + std::to_string(branches) + "/cells:" + sizes[size],
+              cell_step, kernel, branches, size)
+              ->Unit(benchmark::kMicrosecond)
+              ->MinTime(0.1);
+  for (int branches = 0; branches <= 2; ++branches)
+    for (int size = 0; size < 3; ++size)
+      add("impact/branches:" + std::to_string(branches) + "/cells:" + sizes[size], impact, branches, size)
+          ->Unit(benchmark::kMillisecond)
+          ->Iterations(size < 2 ? 10 : 2);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  register_all();
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
