@@ -58,10 +58,17 @@ void calibrate_laws(CoreStudy& core) {
   core.laws.push_back({"equivalent Kelvin–Voigt",
                        "the Eq. (8) law frozen at the mean deflection of each FE impact, Eq. (15)",
                        linearise_at_mean_deflection(eq8.model, references), std::nullopt});
-  const auto linear = calibrate_law("linear-kelvin-voigt", references, {});
-  core.laws.push_back({"linear Kelvin–Voigt",
-                       "one stiffness and one damping fitted to the FE force–deflection curves",
-                       linear.model, linear.fit});
+  const auto fit_freely = [&](const char* label, const char* law, const char* origin) {
+    const auto fitted = calibrate_law(law, references, {});
+    core.laws.push_back({label, origin, fitted.model, fitted.fit});
+  };
+  fit_freely("linear Kelvin–Voigt", "linear-kelvin-voigt",
+             "one stiffness and one damping fitted to the FE force–deflection curves");
+  fit_freely("Hertz-damped", "hertz-damped",
+             "Eq. (5): one stiffness and one damping fitted to the FE force–deflection curves");
+  fit_freely("power law", "power-law",
+             "Eq. (3): stiffness, damping and both exponents fitted to the FE force–deflection "
+             "curves");
 }
 
 BenchmarkMatrix score_laws(const CoreStudy& core, const RunControl& control) {
