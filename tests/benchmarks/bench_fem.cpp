@@ -1,7 +1,8 @@
 // Speed of the FE tier: memory bandwidth of this machine, nanoseconds per cell
 // and step of the kernel, milliseconds per whole impact. Figures exclude
 // process start and meshing. Time is the mean; the counters are of the fastest
-// iteration, which other work on the machine disturbs least.
+// iteration, which other work on the machine disturbs least; those of whole
+// impacts per cell and step count processor time, set-up included.
 //
 //   ninja bench                       this beside the lumped tier
 //   bench_fem --benchmark_filter=impact
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <string>
@@ -60,6 +62,14 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// The same in processor time, which a busy machine does not stretch.
+template <class Work>
+double processor_seconds_of(const Work& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
 /// a = b + s c over arrays that fit no cache: what memory can do.
 void memory_triad(benchmark::State& state) {
   const std::size_t size = std::size_t{1} << 23;
@@ -107,16 +117,20 @@ void impact(benchmark::State& state, int branches, int refinements) {
   const FemProblem problem = problem_with(branches);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
   FemResult result;
+  double processor = std::numeric_limits<double>::infinity();
   const double best = fastest(state, [&] {
-    result = fem::run_explicit_impact(body, problem, {});
+    processor = std::min(processor, processor_seconds_of([&] {
+      result = fem::run_explicit_impact(body, problem, {});
+    }));
     return result.wall_seconds;
   });
   if (!result.incomplete_because.empty()) state.SkipWithError(result.incomplete_because.c_str());
   state.counters["cells"] = result.cells;
   state.counters["steps"] = static_cast<double>(result.steps);
-  state.counters["step_loop_ms"] = 1e3 * best;
+  state.counters["wall_ms"] = 1e3 * best;
+  state.counters["processor_ms"] = 1e3 * processor;
   state.counters["setup_ms"] = 1e3 * result.setup_seconds;
-  state.counters["ns_per_cell_step"] = 1e9 * best / (result.cells * static_cast<double>(result.steps));
+  state.counters["ns_per_cell_step"] = 1e9 * processor / (result.cells * static_cast<double>(result.steps));
   state.counters["restitution"] = result.restitution_momentum;
 }
 
