@@ -5,6 +5,7 @@ namespace rebound {
 const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"study", "the main job: data in, report out", declare_study},
+      {"reproduce", "the seed paper's numbers, value by value, against published", declare_reproduce},
       {"lumped", "one trace of a lumped contact law", declare_lumped},
       {"fem", "one trace of the FE tier", declare_fem},
       {"mesh", "the sphere mesh, with quality figures", declare_mesh},

@@ -18,6 +18,7 @@ struct Command {
 const std::vector<Command>& commands();
 
 Action declare_study(CLI::App& command);
+Action declare_reproduce(CLI::App& command);
 Action declare_lumped(CLI::App& command);
 Action declare_fem(CLI::App& command);
 Action declare_mesh(CLI::App& command);
