@@ -39,7 +39,7 @@ class ExplicitFemTier final : public rebound::FemTier {
 
 }  // namespace
 
-extern "C" const rebound::FemTier* rebound_fem_tier() {
+extern "C" const rebound::FemTier* rebound_fem_tier(unsigned long stamp) {
   static const ExplicitFemTier tier;
-  return &tier;
+  return stamp == rebound::interface_stamp ? &tier : nullptr;
 }

@@ -15,7 +15,7 @@ class GmshMeshGenerator final : public rebound::MeshGenerator {
 
 }  // namespace
 
-extern "C" const rebound::MeshGenerator* rebound_mesh_generator() {
+extern "C" const rebound::MeshGenerator* rebound_mesh_generator(unsigned long stamp) {
   static const GmshMeshGenerator generator;
-  return &generator;
+  return stamp == rebound::interface_stamp ? &generator : nullptr;
 }

@@ -33,9 +33,9 @@ const Interface& load(const std::string& name, const char* entry_point) {
   if (!library) fail(dlerror());
   void* symbol = dlsym(library, entry_point);
   if (!symbol) fail(dlerror());
-  const auto entry = reinterpret_cast<const Interface* (*)()>(symbol);
-  const Interface* interface = entry();
-  if (!interface) fail("its entry point returned nothing");
+  const auto entry = reinterpret_cast<const Interface* (*)(unsigned long)>(symbol);
+  const Interface* interface = entry(interface_stamp);
+  if (!interface) fail("it was built from other sources than this program; build both again");
   return *interface;
 }
 

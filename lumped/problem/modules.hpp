@@ -49,8 +49,15 @@ class MeshGenerator {
   virtual std::string versions() const = 0;
 };
 
-/// Names and types of the entry points: `extern "C"` functions without
-/// arguments that return an object living as long as the module.
+/// Changes when a record that crosses the boundary does. Program and module
+/// are built together; a stale one of the two must be refused, not crash.
+inline constexpr unsigned long interface_stamp =
+    1 + 31 * sizeof(FemProblem) + 1009 * sizeof(FemResult) + 30011 * sizeof(EnergyBook) +
+    900007 * sizeof(Mesh) + 27000011 * sizeof(SphereMeshRequest);
+
+/// Names of the entry points: `extern "C"` functions that take the caller's
+/// interface_stamp and return an object living as long as the module, or null
+/// when the stamp is not the module's own.
 inline constexpr const char* fem_entry_point = "rebound_fem_tier";
 inline constexpr const char* mesh_entry_point = "rebound_mesh_generator";
 
