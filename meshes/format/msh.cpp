@@ -191,17 +191,19 @@ class MshReader {
 /// Geometry files leave nodes behind that no cell uses, such as the centre of
 /// an arc; a solver would give them no mass.
 void drop_unused_vertices(Mesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const auto& cell : mesh.cells)
+    for (const int corner : cell) used[static_cast<std::size_t>(corner)] = true;
+  // The order stays: a mesh read back is the mesh that was written.
   std::vector<int> renumbered(mesh.vertices.size(), -1);
   std::vector<std::array<double, 2>> kept;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (!used[i]) continue;
+    renumbered[i] = static_cast<int>(kept.size());
+    kept.push_back(mesh.vertices[i]);
+  }
   for (auto& cell : mesh.cells)
-    for (int& corner : cell) {
-      int& number = renumbered[static_cast<std::size_t>(corner)];
-      if (number < 0) {
-        number = static_cast<int>(kept.size());
-        kept.push_back(mesh.vertices[static_cast<std::size_t>(corner)]);
-      }
-      corner = number;
-    }
+    for (int& corner : cell) corner = renumbered[static_cast<std::size_t>(corner)];
   // An edge of no cell keeps the number -1, which check_mesh() refuses.
   for (auto* edges : {&mesh.axis_edges, &mesh.contact_edges})
     for (auto& edge : *edges)

@@ -61,7 +61,7 @@ TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
   ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code, 0);
   folder.write("a.toml", replaced(fem_file, "cells = 60", "cells = 20000"));
   const Outcome outcome =
-      rebound({"fem", "a.toml", "--json", "--out", "results"}, {.interrupt_after_ms = 2500});
+      rebound({"fem", "a.toml", "--json", "--out", "results"}, {.interrupt_after_ms = 600});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.output << outcome.errors;
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["error"]["code"], 130);
   EXPECT_TRUE(there("results/incomplete.json"));

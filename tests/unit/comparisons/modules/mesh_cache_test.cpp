@@ -13,6 +13,11 @@ using testing::TemporaryFolder;
 
 constexpr SphereMeshRequest request{.radius = 0.0331, .cells = 60};
 
+bool same(const Mesh& a, const Mesh& b) {
+  return a.vertices == b.vertices && a.cells == b.cells && a.axis_edges == b.axis_edges &&
+         a.contact_edges == b.contact_edges;
+}
+
 TEST(MeshCacheTest, TheSecondMeshIsTheFirstBitForBit) {
   const TemporaryFolder cache;
   const CachedMesh made = sphere_mesh(request, cache.path());
@@ -20,10 +25,7 @@ TEST(MeshCacheTest, TheSecondMeshIsTheFirstBitForBit) {
   const CachedMesh found = sphere_mesh(request, cache.path());
   EXPECT_EQ(std::filesystem::last_write_time(found.file), first_written);
   EXPECT_EQ(found.file, made.file);
-  EXPECT_EQ(found.mesh.vertices, made.mesh.vertices);
-  EXPECT_EQ(found.mesh.cells, made.mesh.cells);
-  EXPECT_EQ(found.mesh.axis_edges, made.mesh.axis_edges);
-  EXPECT_EQ(found.mesh.contact_edges, made.mesh.contact_edges);
+  EXPECT_TRUE(same(found.mesh, made.mesh));
   EXPECT_EQ(found.note, "");
 }
 
@@ -44,8 +46,8 @@ TEST(MeshCacheTest, ADamagedFileIsMadeAgainAndReported) {
     cache.write(made.file.filename().string(), damaged);
     const CachedMesh again = sphere_mesh(request, cache.path());
     EXPECT_NE(again.note.find("damaged"), std::string::npos);
-    EXPECT_EQ(again.mesh.vertices, made.mesh.vertices);
-    EXPECT_EQ(read_whole(made.file), whole);
+    EXPECT_TRUE(same(again.mesh, made.mesh));
+    EXPECT_TRUE(read_whole(made.file) == whole);
   }
 }
 
@@ -61,7 +63,7 @@ TEST(MeshCacheTest, ACacheThatCannotBeWrittenIsReportedNotFatal) {
 TEST(MeshCacheTest, ACachedFileIsAnOrdinaryMshFile) {
   const TemporaryFolder cache;
   const CachedMesh made = sphere_mesh(request, cache.path());
-  EXPECT_EQ(read_msh(read_whole(made.file), "m").cells, made.mesh.cells);
+  EXPECT_TRUE(same(read_msh(read_whole(made.file), "m"), made.mesh));
 }
 
 }  // namespace

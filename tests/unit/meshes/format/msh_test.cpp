@@ -11,7 +11,7 @@ using testing::refusal_of;
 /// Two unit cells, one above the other, on the axis and on the plate.
 Mesh two_cells() {
   return {.vertices = {{0, 0}, {1.0 / 3.0, 0}, {1.0 / 3.0, 1}, {0, 1}, {1.0 / 3.0, 2}, {0, 2}},
-          .cells = {{0, 1, 2, 3}, {3, 2, 4, 5}},
+          .cells = {{3, 2, 4, 5}, {1, 2, 3, 0}},
           .axis_edges = {{3, 0}, {5, 3}},
           .contact_edges = {{0, 1}}};
 }
