@@ -13,6 +13,7 @@
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/report/write_report.hpp"
+#include "comparisons/reproduce/report_sections.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/results/result_folder.hpp"
 #include "comparisons/study/study_json.hpp"
@@ -64,7 +65,8 @@ struct StudyRun {
   const StudyFile& study;
   std::filesystem::path out;
   Provenance provenance;
-  std::vector<CoreStudy> cores;  ///< those that are complete
+  std::vector<report::Section> paper;  ///< what the printed numbers imply
+  std::vector<CoreStudy> cores;        ///< those that are complete
 };
 
 /// Writes what is complete: after every core, so that an interruption keeps it.
@@ -73,7 +75,7 @@ Json write_study(const StudyRun& run) {
   const auto page = run.out / "report.html";
   json["report"] = page.string();
   json["provenance"] = to_json(run.provenance);
-  report::write_report(study_report(run.study, run.cores, run.provenance), page);
+  report::write_report(study_report(run.study, run.cores, run.paper, run.provenance), page);
   write_file_atomically(run.out / "study.json", dump(json));
   return json;
 }
@@ -119,7 +121,8 @@ ExitCode run_study(const Session& session, const std::string& file) {
   Provenance provenance = provenance_of(session, file, document.text());
   provenance.modules = {fem_tier().versions()};
 
-  StudyRun run{study, out, provenance, {}};
+  StudyRun run{study, out, provenance, {}, {}};
+  if (!study.reproduce.empty()) run.paper = report_sections(reproduce(study.reproduce));
   const Json json = run_cores(run);
   if (session.json()) {
     print_result(session, json);

@@ -80,6 +80,11 @@ void describe(Visitor& visit, StudyCore& core) {
 void describe(Visitor& visit, StudyFile& study) {
   describe_schema(visit);
   visit.text({.name = "title", .sentence = "Title of the report."}, study.title);
+  visit.text({.name = "reproduce",
+              .sentence = "Folder of the paper's data: its printed numbers are checked against "
+                          "each other. A relative path starts at the study file.",
+              .presence = Presence::optional},
+             study.reproduce);
   visit.table({.name = "fem", .sentence = "The finite-element model."}, study.fem);
   visit.list({.name = "core", .sentence = "One ball; repeat for more."}, study.cores);
 }
@@ -95,6 +100,7 @@ StudyFile read_study(const Document& document) {
   if (study.fem.longest_travel <= study.fem.shortest_travel)
     throw document.error_at("fem.platen_to", "the range of platen travel is empty",
                             "above platen_from");
+  if (!study.reproduce.empty()) study.reproduce = (document.folder() / study.reproduce).string();
   std::set<std::string> labels;
   for (std::size_t i = 0; i < study.cores.size(); ++i) {
     const std::string key = "core[" + std::to_string(i) + "].label";

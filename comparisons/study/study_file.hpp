@@ -39,6 +39,7 @@ struct StudyCore {
 /// A whole study file: which balls, which FE model.
 struct StudyFile {
   std::string title;
+  std::string reproduce;  ///< folder of the paper's data whose numbers are checked; empty: none
   StudyFem fem;
   std::vector<StudyCore> cores;
 };

@@ -32,7 +32,10 @@ report::Section credibility_section(const std::vector<CoreStudy>& cores);
 report::Section provenance_section(const std::vector<CoreStudy>& cores,
                                    const Provenance& provenance);
 
+/// `paper`: what the paper's printed numbers imply, if the study asks for it;
+/// placed after the checks of the FE model.
 report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::vector<report::Section>& paper,
                             const Provenance& provenance);
 
 /// Key of the overlay of one impact, e.g. "A/15".

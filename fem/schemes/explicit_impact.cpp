@@ -4,15 +4,14 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/kernel/cell_batches.hpp"
 #include "fem/output/field_writer.hpp"
 #include "fem/output/shape_recorder.hpp"
+#include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "fem/schemes/prony_steps.hpp"
-#include "lumped/problem/error.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound::fem {
@@ -20,22 +19,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double most_samples = 1e5;  ///< of a trace over one Hertz contact time
-
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Contact time of the Hertz impact with the instantaneous modulus: only the
-/// yardstick of default output interval and end time.
-double expected_contact_time(const FemProblem& problem, const Moduli& moduli) {
-  const double youngs = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear);
-  const double poisson = youngs / (2 * moduli.shear) - 1;
-  const double plane_strain = youngs / (1 - poisson * poisson);
-  const double m = problem.sphere.mass;
-  return 2.8682657 * std::pow(m * m / (problem.sphere.radius() * plane_strain * plane_strain *
-                                       problem.impact.speed),
-                              0.2);
 }
 
 class ExplicitImpact {
@@ -295,40 +280,11 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
   return result;
 }
 
-void check(const FemProblem& problem) {
-  const auto refuse = [](const char* key, double value, const char* allowed) {
-    throw Error(ExitCode::bad_input,
-                std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " +
-                    allowed,
-                {.key = key, .value = std::to_string(value), .allowed = allowed});
-  };
-  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  const auto zero_or_positive = [&](double value) { return value == 0 || positive(value); };
-  const double safety = problem.controls.step_safety;
-  const double interval = problem.controls.output_interval;
-  const double end_time = problem.controls.end_time;
-  if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
-  if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
-  if (!positive(problem.impact.speed)) refuse("impact.speed", problem.impact.speed, "> 0 m/s");
-  if (!(safety > 0 && safety <= 1)) refuse("controls.step_safety", safety, "(0, 1]");
-  if (!zero_or_positive(end_time)) refuse("controls.end_time", end_time, ">= 0 s");
-  if (!zero_or_positive(interval)) refuse("controls.output_interval", interval, ">= 0 s");
-  const double contact = expected_contact_time(
-      problem, viscoelastic_constants(problem.material).instantaneous);
-  if (interval > 0 && interval < contact / most_samples)
-    refuse("controls.output_interval", interval, "0, or a 100000th of the contact time and more");
-  if (problem.impact.separation != SeparationRule::zero_force)
-    throw Error(ExitCode::bad_input,
-                "the FE tier separates by zero force alone: a deformable body need not be round "
-                "again when its centre of mass is back",
-                {.key = "impact.separation", .value = "zero-deflection", .allowed = "zero-force"});
-}
-
 }  // namespace
 
 FemResult run_explicit_impact(const Discretisation& body, const FemProblem& problem,
                               const RunControl& control) {
-  check(problem);
+  check_problem(problem);
   const auto start = Clock::now();
   ExplicitImpact impact(body, problem);
   const double setup = seconds_since(start);

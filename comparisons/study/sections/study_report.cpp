@@ -57,15 +57,18 @@ report::Section provenance_section(const std::vector<CoreStudy>& cores,
 }
 
 report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::vector<report::Section>& paper,
                             const Provenance& provenance) {
   report::Report page;
   page.title = study.title;
   page.subtitle = "Lumped contact laws against finite elements and against the measurement; "
                   "normal impact, no spin, no temperature";
   page.headline = headline(cores);
-  page.sections = {matrix_section(cores),      overlay_section(cores),
-                   check_section(cores),       parameter_section(cores),
-                   credibility_section(cores), provenance_section(cores, provenance)};
+  page.sections = {matrix_section(cores), overlay_section(cores), check_section(cores)};
+  page.sections.insert(page.sections.end(), paper.begin(), paper.end());
+  page.sections.push_back(parameter_section(cores));
+  page.sections.push_back(credibility_section(cores));
+  page.sections.push_back(provenance_section(cores, provenance));
   return page;
 }
 
