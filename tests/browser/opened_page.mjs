@@ -1,7 +1,6 @@
 // A report opened in Debian's Chromium, with everything it complained about or asked for.
 
-import { mkdtemp, rm } from "node:fs/promises";
-import { tmpdir } from "node:os";
+import { after } from "node:test";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -14,20 +13,22 @@ export function pagePath(name) {
   return join(pages, name);
 }
 
+// One browser for all tests of a file, its profile new; each page has a context of its own.
+const browser = await chromium.launch({
+  executablePath,
+  headless: true,
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+});
+after(() => browser.close());
+
 /**
  * Opens `file` at that width until the report says that it is drawn, calls use(page) and
  * closes. `complaints` are console errors and uncaught exceptions, `requests` every
  * address asked for beside the file itself.
  */
 export async function withPage(file, width, use) {
-  const profile = await mkdtemp(join(tmpdir(), "rebound-browser-"));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath,
-    headless: true,
-    viewport: { width, height: 900 },
-    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-      "--disable-background-networking", "--disable-component-update", "--disable-sync"],
-  });
+  const context = await browser.newContext({ viewport: { width, height: 900 } });
   try {
     const page = await context.newPage();
     const complaints = [];
@@ -46,6 +47,5 @@ export async function withPage(file, width, use) {
     await use({ page, complaints, requests });
   } finally {
     await context.close();
-    await rm(profile, { recursive: true, force: true });
   }
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "comparisons/report/half_section.hpp"
 #include "comparisons/study/study_report.hpp"
 
 namespace rebound {
@@ -16,6 +17,28 @@ report::TableCell limited(double value, double limit) {
 report::TableCell relative_spread(const StudyShot& shot, double ImpactScalars::* scalar) {
   return report::text_cell(
       fmt::format("{:.2f}", 100 * spread(shot, scalar) / (shot.fem.scalars.*scalar)));
+}
+
+/// The impact with the largest deflection over diameter, as the coarse mesh shows it.
+report::Animation deepest_impact(const std::vector<CoreStudy>& cores) {
+  const CoreStudy* core = nullptr;
+  const StudyShot* shot = nullptr;
+  double deepest = -1.0;
+  for (const auto& candidate : cores)
+    for (const auto& impact : candidate.shots) {
+      const double depth = impact.fem.scalars.peak_deflection / candidate.data.sphere.diameter;
+      if (depth <= deepest) continue;
+      deepest = depth;
+      core = &candidate;
+      shot = &impact;
+    }
+  if (!shot) throw Error(ExitCode::bad_input, "a study without impacts has nothing to show");
+  return report::half_section(
+      shot->fem_coarse.shapes,
+      fmt::format("Core {} at {:g} m/s, half-section", core->label, shot->measured.speed),
+      fmt::format("The deepest impact of this study: the centre of mass moves by {:.1f} % of the "
+                  "diameter. Mesh of {} cells, drawn to scale.",
+                  100 * deepest, shot->fem_coarse.cells));
 }
 
 }  // namespace
@@ -63,6 +86,7 @@ report::Section credibility_section(const std::vector<CoreStudy>& cores) {
     }
   section.blocks.push_back(std::move(closures));
   section.blocks.push_back(std::move(spreads));
+  section.blocks.push_back(deepest_impact(cores));
   return section;
 }
 

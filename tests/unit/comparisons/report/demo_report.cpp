@@ -220,6 +220,19 @@ Table checks_table() {
   return table;
 }
 
+/// Wider than a telephone, with its verdicts at the far end.
+Table wide_table() {
+  Table table{.title = "A wide table", .caption = "TEST DATA.", .columns = {{"quantity"}}, .rows = {}};
+  std::vector<TableCell> row{text_cell("reading")};
+  for (int i = 1; i <= 14; ++i) {
+    table.columns.push_back({fmt::format("run {}", i), "kN", TableColumn::Kind::number, Origin::derived});
+    row.push_back(number_cell(1.0 + 0.01 * i, 4));
+    row.back().verdict = i % 2 == 0 ? TableCell::Verdict::good : TableCell::Verdict::bad;
+  }
+  table.rows = {row};
+  return table;
+}
+
 }  // namespace
 
 Report demo_report(const std::string& ball_name) {
@@ -239,7 +252,7 @@ Report demo_report(const std::string& ball_name) {
       {"Laws against the reference", Section::Folding::open, {matrix_of(balls, speeds)}},
       {"The chosen cell", Section::Folding::open, {overlays}},
       {"Checks that were not fitted", Section::Folding::open,
-       {checks_table(), Notice{Notice::Level::failure, "The mean deflection is 20 % low."},
+       {checks_table(), wide_table(), Notice{Notice::Level::failure, "The mean deflection is 20 % low."},
         Notice{Notice::Level::abstention, "The residual deflection does not tell the laws apart."}}},
       {"Credibility", Section::Folding::open, {convergence(), squeezed_disc()}},
       {"Provenance", Section::Folding::folded,
