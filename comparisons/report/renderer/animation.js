@@ -72,6 +72,8 @@ function renderAnimation(animation) {
     timer = setInterval(() => show((Number(slider.value) + 1) % (last + 1)), 1000 / framesPerSecond);
     return undefined;
   });
-  show(0);
+  // At rest, and on paper, the most squeezed shape.
+  const heights = animation.frames.map((frame) => frame.height.reduce((a, b) => Math.max(a, b), 0));
+  show(heights.indexOf(Math.min(...heights)));
   return captioned("moving", animation, svg, element("div", { class: "controls" }, button, slider, shown));
 }

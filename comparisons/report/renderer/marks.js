@@ -17,12 +17,20 @@ const palette = ["#0072b2", "#d55e00", "#008a63", "#b85c94", "#b07d00", "#4a9fd0
                  "#8c564b", "#6a55a8", "#5b7f2b", "#a02c5a"];
 const symbols = ["circle", "square", "diamond", "triangle-up", "cross", "star"];
 const placeOfName = new Map();
+const placeOfMeasured = new Map();
+
+function placeIn(places, name) {
+  if (!places.has(name)) places.set(name, places.size);
+  return places.get(name);
+}
 
 /** The same name has the same colour and symbol in every figure of the page. */
 function lookOf(series) {
-  if (series.reference || series.origin === "measured") return { colour: ink, symbol: "circle" };
-  if (!placeOfName.has(series.name)) placeOfName.set(series.name, placeOfName.size);
-  const place = placeOfName.get(series.name);
+  if (series.origin === "measured") {
+    return { colour: ink, symbol: symbols[placeIn(placeOfMeasured, series.name) % symbols.length] };
+  }
+  if (series.reference) return { colour: ink, symbol: "circle" };
+  const place = placeIn(placeOfName, series.name);
   return { colour: palette[place % palette.length], symbol: symbols[place % symbols.length] };
 }
 
