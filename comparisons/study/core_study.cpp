@@ -1,7 +1,7 @@
 #include "comparisons/study/core_study.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <mutex>
 
 #include "comparisons/calibration/platen_modulus.hpp"
 #include "comparisons/dataset/read_dataset.hpp"
@@ -96,9 +96,11 @@ void fit_material(const StudyFem& fem, CoreStudy& core, const RunControl& contro
   // A typical fit: eight iterations, each the point and two differences per unknown.
   const double expected = 8.0 * (1.0 + 2.0 * static_cast<double>(free_numbers(fem).size())) *
                           static_cast<double>(core.data.shots.size());
-  std::atomic<int> done = 0;
+  int done = 0;
+  std::mutex one_at_a_time;  // impacts run two at once, and a progress line is one line
   const FemRunner counted = [&](const FemProblem& problem) {
     FemResult result = run(problem);
+    const std::scoped_lock lock(one_at_a_time);
     const double share = std::min(0.95, static_cast<double>(++done) / expected);
     report_progress(control, fit_share * share);
     return result;

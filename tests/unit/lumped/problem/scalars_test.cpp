@@ -1,0 +1,55 @@
+#include "lumped/problem/scalars.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/refusals.hpp"
+
+namespace rebound {
+namespace {
+
+/// Half a sine of amplitude 1 and duration 1; the peak lies between samples.
+Trace half_sine(int intervals) {
+  Trace trace;
+  for (int i = 0; i <= intervals; ++i) {
+    const double t = static_cast<double>(i) / intervals;
+    trace.time.push_back(t);
+    trace.force.push_back(std::sin(std::numbers::pi * t));
+    trace.deflection.push_back(t);
+  }
+  return trace;
+}
+
+TEST(ScalarsTest, ParabolaFindsPeakOfSine) {
+  const auto error = [](int intervals) {
+    const Trace trace = half_sine(intervals);
+    return std::abs(refined_peak(trace.time, trace.force) - 1.0);
+  };
+  EXPECT_LT(error(41), 1e-5);                // the highest sample alone is 7e-4 off
+  EXPECT_GT(error(41) / error(83), 7.0);     // third order or better: 2³ less a little
+}
+
+TEST(ScalarsTest, TimeAboveInterpolatesBothCrossings) {
+  const double expected = 1.0 - 2.0 * std::asin(0.5) / std::numbers::pi;
+  EXPECT_NEAR(time_above(half_sine(1001), 0.5), expected, 1e-5);
+  EXPECT_EQ(time_above(half_sine(1001), 2.0), 0.0);
+}
+
+TEST(ScalarsTest, MeanDeflectionStopsAtSeparation) {
+  // x = t: the mean over [0, T] is T/2, also where T falls between samples.
+  const ImpactScalars scalars = derive_scalars(half_sine(10), {.speed = 2.0}, 0.55, 1.0);
+  EXPECT_NEAR(scalars.mean_deflection, 0.275, 1e-12);
+  EXPECT_EQ(scalars.restitution, 0.5);
+}
+
+TEST(ScalarsTest, RefusesUnequalColumns) {
+  Trace trace = half_sine(10);
+  trace.force.pop_back();
+  EXPECT_EQ(testing::refusal_of([&] { derive_scalars(trace, {.speed = 1.0}, 1.0, 0.5); }).code(),
+            ExitCode::bad_input);
+}
+
+}  // namespace
+}  // namespace rebound
