@@ -4,6 +4,7 @@
 
 #include "lumped/problem/impact.hpp"
 #include "lumped/problem/material.hpp"
+#include "lumped/problem/plate.hpp"
 
 namespace rebound {
 
@@ -22,6 +23,8 @@ struct FemProblem {
   Sphere sphere;
   Impact impact;
   Material material;
+  Plate plate;
+  double gravity = 0.0;   ///< towards the plate; 0: left out [m/s²]
   int cells = 1000;       ///< about; when no mesh file is given
   std::string mesh_file;  ///< a user's own mesh; empty: generate
   FemControls controls;
