@@ -30,7 +30,8 @@ struct DampingRequest {
 /// opening contact changes its sign once.
 ///
 /// A law whose card names a damping parameter also has
-/// `static double damping_for(const DampingRequest&)`.
+/// `static double damping_for(const DampingRequest&)`. A law that takes a value
+/// from the sphere has `static void complete(ParameterValues&, const Sphere&)`.
 template <class Law>
 concept ContactLaw = requires(const Law law, double x, double v, const ParameterValues& values) {
   { Law::card() } -> std::same_as<LawCard>;

@@ -6,17 +6,21 @@
 #include <vector>
 
 #include "lumped/laws/equivalent_kelvin_voigt.hpp"
+#include "lumped/laws/finite_sphere_hertz.hpp"
 #include "lumped/laws/hertz_damped.hpp"
 #include "lumped/laws/hunt_crossley.hpp"
+#include "lumped/laws/kuwabara_kono.hpp"
 #include "lumped/laws/linear_kelvin_voigt.hpp"
 #include "lumped/laws/power_law.hpp"
+#include "lumped/laws/tsuji.hpp"
 
 namespace rebound {
 
 /// The list of contact laws. A law that stands here is known to the
 /// configuration, the help, calibration, the integrators and the tests.
 using AnyLaw =
-    std::variant<LinearKelvinVoigt, EquivalentKelvinVoigt, HuntCrossley, HertzDamped, PowerLaw>;
+    std::variant<LinearKelvinVoigt, EquivalentKelvinVoigt, HuntCrossley, HertzDamped, PowerLaw,
+                 KuwabaraKono, Tsuji, FiniteSphereHertz>;
 
 /// Calls `visit.template operator()<Law>()` for every law of the list.
 template <class Visitor>

@@ -92,6 +92,14 @@ double damping_by_formula(const LawCard& card, const DampingRequest& request) {
   return damping;
 }
 
+/// What a law takes from the sphere where the user gave nothing.
+void complete_from_sphere(const LawCard& card, ParameterValues& values, const Sphere& sphere) {
+  for_each_law([&]<class Law>() {
+    if constexpr (requires { Law::complete(values, sphere); })
+      if (card.name == Law::card().name) Law::complete(values, sphere);
+  });
+}
+
 }  // namespace
 
 ParameterValues resolve_parameters(const LumpedModel& model, const Impact& impact,
@@ -118,6 +126,7 @@ ParameterValues resolve_parameters(const LumpedModel& model, const Impact& impac
   }
   for (const auto& parameter : card.parameters)
     if (values.contains(parameter.name)) require_in_range(parameter, values.at(parameter.name));
+  complete_from_sphere(card, values, sphere);
   if (model.restitution && !values.contains(card.damping_parameter)) {
     const double damping = damping_by_formula(card, {.formula = model.damping_formula,
                                                      .restitution = *model.restitution,

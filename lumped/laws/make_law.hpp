@@ -9,8 +9,8 @@ namespace rebound {
 /// All parameters of the law at this impact speed, complete and checked.
 ///
 /// In this order: the model's own values; those of the `at_speed` entry whose
-/// speed equals the impact speed within 1e-6 of it; defaults of the card; the
-/// damping from restitution and formula where neither gave it.
+/// speed equals the impact speed within 1e-6 of it; defaults of the card; what the
+/// law takes from the sphere; the damping from restitution and formula where neither gave it.
 ///
 /// Errors: Error(bad_input), naming the parameter and what is allowed, for an
 /// unknown law, parameter or formula; a missing value; a value outside its

@@ -33,6 +33,14 @@ ParameterCard damping_card(const char* sentence, Dimension (*dimension)(const Pa
           .highest = 1e15, .lowest_allowed = true, .default_value = {}};
 }
 
+ParameterCard dissipation_time_card() {
+  return {.name = "dissipation_time",
+          .sentence = "Viscous over elastic modulus of the material; its loss tangent over the "
+                      "angular frequency.",
+          .dimension = [](const ParameterValues&) { return dimension::time; },
+          .lowest = 0.0, .highest = 1e6, .lowest_allowed = true, .default_value = {}};
+}
+
 ParameterCard hertz_exponent_card() {
   return {.name = "exponent",
           .sentence = "Power n of the deflection; 1.5 is Hertz's sphere on a plane.",

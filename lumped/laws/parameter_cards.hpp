@@ -15,6 +15,8 @@ Dimension damping_dimension(const ParameterValues& values, const char* exponent_
 
 ParameterCard stiffness_card(const char* sentence, Dimension (*dimension)(const ParameterValues&));
 ParameterCard damping_card(const char* sentence, Dimension (*dimension)(const ParameterValues&));
+/// The dissipation time A of a damping A dF_e/dx ẋ.
+ParameterCard dissipation_time_card();
 /// The exponent n of x^n in Hunt–Crossley and its equivalent, 1.5 by default.
 ParameterCard hertz_exponent_card();
 

@@ -24,10 +24,20 @@ inline ParameterValues typical_parameters(const std::string& law) {
       {"power-law",
        {{"damping_exponent", 0.25}, {"stiffness_exponent", 0.25}, {"stiffness", 8e5},
         {"damping", 200.0}}},
+      {"kuwabara-kono", {{"stiffness", 3.5e6}, {"dissipation_time", 1.3e-4}}},
+      {"tsuji", {{"stiffness", 3.5e6}, {"damping", 200.0}}},
+      {"finite-sphere-hertz",
+       {{"stiffness", 3.5e6}, {"dissipation_time", 1.0e-4}, {"poisson_ratio", 0.4},
+        {"radius", 0.0331}}},
   };
   const auto found = table.find(law);
   if (found == table.end()) throw std::logic_error("no typical parameters for law " + law);
   return found->second;
+}
+
+/// The parameter that makes a law lose energy; at zero the law is elastic.
+inline std::string loss_parameter(const std::string& law) {
+  return typical_parameters(law).contains("damping") ? "damping" : "dissipation_time";
 }
 
 inline LumpedProblem typical_problem(const std::string& law) {

@@ -110,7 +110,7 @@ TEST_P(LawBattery, PullsWhileOpeningBeyondZero) {
 }
 
 TEST_P(LawBattery, ElasticLimitConservesEnergy) {
-  problem_.model.parameters["damping"] = 0.0;
+  problem_.model.parameters[test::loss_parameter(GetParam())] = 0.0;
   for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection}) {
     problem_.impact.separation = rule;
     EXPECT_NEAR(simulate_fast(problem_).scalars.restitution, 1.0, 1e-8);
@@ -119,10 +119,11 @@ TEST_P(LawBattery, ElasticLimitConservesEnergy) {
 }
 
 TEST_P(LawBattery, RestitutionFallsWithDampingAndStaysPositive) {
-  const double base = problem_.model.parameters.at("damping");
+  const std::string loss = test::loss_parameter(GetParam());
+  const double base = problem_.model.parameters.at(loss);
   double above = 1.0 + 1e-9;
   for (double factor : {0.0, 0.1, 0.3, 1.0, 3.0}) {
-    problem_.model.parameters["damping"] = factor * base;
+    problem_.model.parameters[loss] = factor * base;
     const double e = simulate_fast(problem_).scalars.restitution;
     EXPECT_GT(e, 0.0);
     EXPECT_LT(e, above) << "factor " << factor;

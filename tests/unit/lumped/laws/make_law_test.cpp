@@ -73,7 +73,7 @@ TEST(MakeLawTest, ExactFormulaReturnsTheRestitution) {
       EXPECT_NEAR(simulate_fast(problem).scalars.restitution, 0.5, 1e-8) << card.name;
     }
   }
-  EXPECT_EQ(laws, 3);
+  EXPECT_EQ(laws, 4);
 }
 
 TEST(MakeLawTest, RefusalsNameTheKey) {
