@@ -9,6 +9,7 @@
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/schema_writer.hpp"
+#include "comparisons/convert/conversion_file.hpp"
 #include "comparisons/dataset/describe_dataset.hpp"
 #include "comparisons/dataset/published_values.hpp"
 #include "comparisons/results/atomic_file.hpp"
@@ -27,6 +28,7 @@ const std::vector<Format>& formats() {
       {"fem", [] { return json_schema<FemProblem>("Impact file, FE tier"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
+      {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
       {"published-values",
        [] { return json_schema<PublishedValues>("Published model values of a data set"); }},

@@ -1,0 +1,59 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/config/document.hpp"
+#include "comparisons/config/help_writer.hpp"
+#include "comparisons/config/impact_file.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/convert/conversion_file.hpp"
+#include "comparisons/convert/conversion_text.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+std::string convert_help() {
+  return "Keys of FILE (TOML):\n" + help_text<ConversionRequest>() +
+         "\nEvery convention is given twice: by the formula its codes use, and matched so that the "
+         "integrated law\nreturns restitution and contact time. Errors: restitution as a "
+         "difference, time and force as a share.\n--out writes convert.json.\n\n" +
+         exit_code_help();
+}
+
+ExitCode run_convert(const Session& session, const std::string& path) {
+  const Document document = Document::load(path);
+  ConversionRequest request;
+  read_document(document, request);
+  check_density(document, request.sphere);
+  if (!session.out.empty()) make_writable_folder(session.out);
+  const ConversionTable table = [&] {
+    try {
+      return convert(request);
+    } catch (const Error& error) {
+      throw document.located(error);
+    }
+  }();
+  const Json json = to_json(request, table);
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
+    write_file_atomically(session.out / "convert.json", dump(stored));
+  }
+  fmt::print("{}", session.json() ? dump(json) : to_text(request, table));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_convert(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Conversion file: a ball, a speed, and a contact in one convention")
+      ->required();
+  command.footer(convert_help);
+  return [file](const Session& session) { return run_convert(session, *file); };
+}
+
+}  // namespace rebound
