@@ -21,6 +21,8 @@ struct MeasurementChain {
   double integration_drift = 0.0;  ///< a [m/s²]
   double contact_threshold = 0.0;  ///< of reported contact times [N]
   int platens = 0;                 ///< as believed in slow compressions: 1 or 2; 0: as it was
+
+  friend bool operator==(const MeasurementChain&, const MeasurementChain&) = default;
 };
 
 }  // namespace rebound

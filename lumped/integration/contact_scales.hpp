@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "lumped/integration/contact_end.hpp"
-#include "lumped/laws/contact_law.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -18,7 +17,11 @@ struct ContactScales {
 /// power law is a straight line and the first step already exact.
 ///
 /// Errors: Error(solver_failed) when the sizes leave the range of numbers.
-template <ContactLaw Law>
+template <class Law>
+  requires requires(const Law law, double x) {
+    law.elastic_energy(x);
+    law.elastic_force(x);
+  }
 ContactScales contact_scales(const Law& law, const ContactSetup& setup) {
   const double energy = 0.5 * setup.mass * setup.speed * setup.speed;
   double x = 1e-3;

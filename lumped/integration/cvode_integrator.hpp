@@ -5,6 +5,7 @@
 #include "lumped/integration/contact_end.hpp"
 #include "lumped/integration/contact_scales.hpp"
 #include "lumped/integration/contact_system.hpp"
+#include "lumped/integration/cvode_solver.hpp"
 #include "lumped/problem/trace.hpp"
 
 namespace rebound {
@@ -22,9 +23,6 @@ namespace rebound {
 class CvodeIntegrator {
  public:
   CvodeIntegrator(const AnyLaw& law, const ContactSetup& setup);
-  ~CvodeIntegrator();
-  CvodeIntegrator(const CvodeIntegrator&) = delete;
-  CvodeIntegrator& operator=(const CvodeIntegrator&) = delete;
 
   ContactEnd integrate();
 
@@ -33,13 +31,12 @@ class CvodeIntegrator {
   Trace sample(const ContactEnd& end, int samples);
 
  private:
-  struct Solver;
-  void restart();
+  void reset();
 
   ContactSystem system_;
   ContactSetup setup_;
   ContactScales scales_;
-  std::unique_ptr<Solver> solver_;
+  CvodeSolver solver_;
 };
 
 }  // namespace rebound

@@ -11,6 +11,7 @@
 #include "lumped/integration/contact_scales.hpp"
 #include "lumped/integration/dormand_prince.hpp"
 #include "lumped/integration/quintic.hpp"
+#include "lumped/laws/contact_law.hpp"
 
 namespace rebound {
 

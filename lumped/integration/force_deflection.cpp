@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lumped/integration/checked_setup.hpp"
+#include "lumped/integration/composed_force_deflection.hpp"
 #include "lumped/integration/fast_integrator.hpp"
 #include "lumped/laws/make_law.hpp"
 
@@ -87,6 +88,7 @@ DeflectionPoints deflection_points(const Trace& trace) {
 }
 
 std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoints& points) {
+  if (problem.model.mechanisms.act()) return composed_forces_at(problem, points);
   const ContactSetup setup = checked_setup(problem);
   std::vector<double> forces(points.deflection.size());
   std::visit(

@@ -25,7 +25,10 @@ DeflectionPoints deflection_points(const Trace& trace);
 /// returned, before a branch's open end the force there: continuous whatever
 /// is asked, so that a fit can walk through it.
 ///
-/// Valid:   every law, both separation rules.
+/// With mechanisms beside the law it is what the instrument reads, over the
+/// deflection of the centre of mass.
+///
+/// Valid:   every law and mechanism, both separation rules.
 /// Limit:   the implicit v–x relation of Hunt–Crossley
 ///          -> test ForceDeflectionTest.FollowsTheImplicitRelation.
 /// Caution: dF/dx is infinite at the turning point of a damped law.

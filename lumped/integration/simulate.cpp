@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "lumped/integration/checked_setup.hpp"
+#include "lumped/integration/composed_cvode.hpp"
+#include "lumped/integration/composed_integrator.hpp"
 #include "lumped/integration/cvode_integrator.hpp"
 #include "lumped/integration/fast_integrator.hpp"
 #include "lumped/laws/make_law.hpp"
@@ -27,9 +29,26 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// One impact with mechanisms beside its law, by either integrator.
+template <class Integrator>
+LumpedResult simulate_composed(const LumpedProblem& problem) {
+  const ComposedContact contact(problem);
+  LumpedResult result;
+  const auto start = std::chrono::steady_clock::now();
+  Integrator integrator(contact);
+  const ComposedEnd end = integrator.integrate();
+  result.trace = integrator.sample(problem.controls.samples);
+  result.wall_seconds = seconds_since(start);
+  result.scalars = derive_scalars(result.trace, problem.impact, end.time,
+                                  -end.state[ComposedContact::velocity]);
+  result.closures = contact.closures(end.phase, end.state, end.time);
+  return result;
+}
+
 }  // namespace
 
 LumpedResult simulate(const LumpedProblem& problem) {
+  if (problem.model.mechanisms.act()) return simulate_composed<ComposedCvode>(problem);
   const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
   const ContactSetup setup = checked_setup(problem);
   LumpedResult result;
@@ -44,6 +63,7 @@ LumpedResult simulate(const LumpedProblem& problem) {
 }
 
 LumpedResult simulate_fast(const LumpedProblem& problem) {
+  if (problem.model.mechanisms.act()) return simulate_composed<ComposedIntegrator>(problem);
   const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
   const ContactSetup setup = checked_setup(problem);
   LumpedResult result;

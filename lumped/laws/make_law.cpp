@@ -128,11 +128,16 @@ ParameterValues resolve_parameters(const LumpedModel& model, const Impact& impac
     if (values.contains(parameter.name)) require_in_range(parameter, values.at(parameter.name));
   complete_from_sphere(card, values, sphere);
   if (model.restitution && !values.contains(card.damping_parameter)) {
-    const double damping = damping_by_formula(card, {.formula = model.damping_formula,
-                                                     .restitution = *model.restitution,
-                                                     .mass = sphere.mass,
-                                                     .impact = impact,
-                                                     .parameters = values});
+    const auto damping_by = [&](const std::string& formula) {
+      return damping_by_formula(card, {.formula = formula,
+                                       .restitution = *model.restitution,
+                                       .mass = sphere.mass,
+                                       .impact = impact,
+                                       .parameters = values});
+    };
+    double damping = damping_by(model.damping_formula);
+    if (model.exact_damping_share != 0.0)
+      damping += model.exact_damping_share * (damping_by("exact") - damping);
     for (const auto& parameter : card.parameters)
       if (parameter.name == card.damping_parameter) require_in_range(parameter, damping);
     values[card.damping_parameter] = damping;

@@ -16,6 +16,8 @@ struct FemControls {
   int shape_frames = 0;          ///< shapes kept in the result, over the contact; 0: none
   int field_frames = 0;          ///< number of field outputs over the contact; 0: none
   std::string field_directory;   ///< where VTU and PVD go; needed when field_frames > 0
+
+  friend bool operator==(const FemControls&, const FemControls&) = default;
 };
 
 /// One impact of the FE tier.
@@ -28,6 +30,8 @@ struct FemProblem {
   int cells = 1000;       ///< about; when no mesh file is given
   std::string mesh_file;  ///< a user's own mesh; empty: generate
   FemControls controls;
+
+  friend bool operator==(const FemProblem&, const FemProblem&) = default;
 };
 
 }  // namespace rebound

@@ -12,6 +12,8 @@ struct Sphere {
   double radius() const { return 0.5 * diameter; }
   double volume() const { return std::numbers::pi / 6.0 * diameter * diameter * diameter; }
   double density() const { return mass / volume(); }
+
+  friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
 /// When a contact counts as ended. The rule changes contact time and
@@ -26,6 +28,8 @@ enum class SeparationRule {
 struct Impact {
   double speed = 0.0;  ///< approach speed at first touch, > 0 [m/s]
   SeparationRule separation = SeparationRule::zero_force;
+
+  friend bool operator==(const Impact&, const Impact&) = default;
 };
 
 }  // namespace rebound

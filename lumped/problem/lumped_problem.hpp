@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lumped/problem/impact.hpp"
+#include "lumped/problem/mechanisms.hpp"
 
 namespace rebound {
 
@@ -16,6 +17,8 @@ using ParameterValues = std::map<std::string, double>;
 struct ParametersAtSpeed {
   double speed = 0.0;  ///< [m/s]
   ParameterValues parameters;
+
+  friend bool operator==(const ParametersAtSpeed&, const ParametersAtSpeed&) = default;
 };
 
 /// Which contact law, with which numbers.
@@ -27,13 +30,20 @@ struct LumpedModel {
   ParameterValues parameters;
   std::optional<double> restitution;  ///< design restitution, in (0, 1)
   std::string damping_formula;        ///< empty when damping is given
+  /// s in λ = (1 − s) λ(formula) + s λ(exact); of account beside a restitution only [-]
+  double exact_damping_share = 0.0;
   std::vector<ParametersAtSpeed> at_speed;
+  Mechanisms mechanisms;              ///< what acts beside the law
+
+  friend bool operator==(const LumpedModel&, const LumpedModel&) = default;
 };
 
 /// Accuracy and sampling of one integrated trace.
 struct LumpedControls {
   double relative_tolerance = 1e-9;
   int samples = 401;  ///< equally spaced over the contact, both ends included
+
+  friend bool operator==(const LumpedControls&, const LumpedControls&) = default;
 };
 
 /// One impact of the lumped tier.
@@ -42,6 +52,8 @@ struct LumpedProblem {
   Impact impact;
   LumpedModel model;
   LumpedControls controls;
+
+  friend bool operator==(const LumpedProblem&, const LumpedProblem&) = default;
 };
 
 }  // namespace rebound

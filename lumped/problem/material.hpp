@@ -27,6 +27,8 @@ struct PronyBranch {
   double ratio = 0.0;            ///< [-]
   double relaxation_time = 0.0;  ///< [s]
   Relaxes relaxes = Relaxes::all;
+
+  friend bool operator==(const PronyBranch&, const PronyBranch&) = default;
 };
 
 /// Isotropic viscoelastic solid: hyperelastic, with Prony branches acting on
@@ -37,6 +39,8 @@ struct Material {
   double poisson_ratio = 0.0;   ///< [-], of the same state as the modulus
   ModulusBasis modulus = ModulusBasis::instantaneous;
   std::vector<PronyBranch> branches;
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 }  // namespace rebound

@@ -20,6 +20,8 @@ struct Plate {
   double friction = 0.0;        ///< Coulomb coefficient [-]
 
   bool moves() const { return stiffness < std::numeric_limits<double>::infinity(); }
+
+  friend bool operator==(const Plate&, const Plate&) = default;
 };
 
 }  // namespace rebound

@@ -1,0 +1,252 @@
+#include "lumped/integration/composed_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "lumped/integration/check_mechanisms.hpp"
+#include "lumped/integration/checked_setup.hpp"
+#include "lumped/laws/make_law.hpp"
+#include "lumped/mechanisms/adhesion.hpp"
+#include "lumped/mechanisms/damping_factors.hpp"
+#include "lumped/mechanisms/finite_sphere.hpp"
+#include "lumped/mechanisms/internal_mode.hpp"
+#include "lumped/mechanisms/moving_plate.hpp"
+#include "lumped/mechanisms/reference_scales.hpp"
+#include "lumped/mechanisms/relaxation.hpp"
+#include "lumped/mechanisms/unloading_memory.hpp"
+
+namespace rebound {
+
+namespace {
+
+using Kind = ContactPhase::Kind;
+using State = ComposedContact::State;
+
+PlateMotion plate_motion(const State& y) {
+  return {y[ComposedContact::plate_displacement], y[ComposedContact::plate_velocity]};
+}
+
+ModeMotion mode_motion(const State& y) {
+  return {y[ComposedContact::mode_displacement], y[ComposedContact::mode_velocity]};
+}
+
+}  // namespace
+
+ComposedContact::ComposedContact(const LumpedProblem& problem)
+    : law_(make_law(problem.model, problem.impact, problem.sphere)),
+      mechanisms_(problem.model.mechanisms),
+      plate_(mechanisms_.plate),
+      setup_(checked_setup(problem)),
+      radius_(problem.sphere.radius()),
+      elastic_(law_, mechanisms_, {.radius = radius_, .speed = setup_.speed}),
+      scales_(contact_scales(elastic_, setup_)),
+      peak_force_(elastic_.elastic_force(scales_.deflection)),
+      pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
+      body_compliance_(0.0) {
+  check_mechanisms(mechanisms_, law_, radius_);
+  const FiniteSphere& finite = mechanisms_.finite_sphere;
+  if (finite.share != 0.0)
+    body_compliance_ = body_compliance(
+        {.share = finite.share,
+         .poisson_ratio = finite.poisson_ratio,
+         .radius = radius_,
+         .reference_force = elastic_.elastic_force(reference_deflection_share * radius_)});
+}
+
+State ComposedContact::state_scales() const {
+  const double energy = 0.5 * setup_.mass * setup_.speed * setup_.speed;
+  State scale = {scales_.deflection, setup_.speed, setup_.mass * setup_.speed, energy, peak_force_};
+  // A stiff plate hardly moves, yet its motion is what the load cell reads.
+  const double k = plate_.moves() ? plate_.stiffness : 1.0;
+  scale[plate_displacement] = std::min(scales_.deflection, peak_force_ / k);
+  scale[plate_velocity] = std::min(setup_.speed, peak_force_ / std::sqrt(k * plate_.mass));
+  const double omega = mode_angular_frequency(mechanisms_.mode);
+  const double acceleration = peak_force_ / setup_.mass;
+  scale[mode_displacement] = std::min(scales_.deflection, acceleration / (omega * omega));
+  scale[mode_velocity] = std::min(setup_.speed, acceleration / omega);
+  return scale;
+}
+
+State ComposedContact::initial_state() const {
+  State y{};
+  y[velocity] = setup_.speed;
+  return y;
+}
+
+double ComposedContact::closing_speed(const State& y) const {
+  return y[velocity] - y[plate_velocity] - mechanisms_.mode.mass_fraction * y[mode_velocity];
+}
+
+double ComposedContact::approach_rate(const Phase& phase, const State& y) const {
+  const double closing = closing_speed(y);
+  if (body_compliance_ == 0.0) return closing;
+  const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
+  // Beyond its range the correction has no solution; the step is refused.
+  return share > 0.0 ? closing / share : std::numeric_limits<double>::quiet_NaN();
+}
+
+ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State& y) const {
+  const double x = y[approach];
+  Forces f;
+  f.elastic = elastic_.acting(phase, x);
+  if (mechanisms_.relaxation.ratio != 0.0)
+    f.branch = branch_force(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  const double rate = approach_rate(phase, y);
+  f.damping = std::visit(
+      [&](const auto& law) {
+        return damping_force(law, mechanisms_.damping, radius_, x, rate);
+      },
+      law_);
+  if (pull_off_ != 0.0) {
+    const double largest = phase.kind == Kind::loading ? x : phase.largest;
+    f.adhesion = -pull_off_ * adhesion_ramp(elastic_.elastic_force(largest), peak_force_);
+  }
+  return f;
+}
+
+void ComposedContact::derivative(const Phase& phase, const State& y, State& rate) const {
+  const bool open = phase.kind == Kind::open;
+  const Forces f = open ? Forces{} : forces(phase, y);
+  const double total = f.contact();
+  const double closing = closing_speed(y);
+  rate = {};
+  rate[approach] = approach_rate(phase, y);
+  rate[velocity] = mechanisms_.gravity - total / setup_.mass;
+  rate[impulse] = total;
+  rate[dissipated] = (total - f.elastic) * closing;
+  if (mechanisms_.relaxation.ratio != 0.0)
+    rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (plate_.moves()) {
+    const PlateMotion plate = plate_motion(y);
+    rate[plate_displacement] = plate.velocity;
+    rate[plate_velocity] = plate_acceleration(plate_, plate, total);
+    rate[dissipated] += plate_damping(plate_) * plate.velocity * plate.velocity;
+  }
+  if (mechanisms_.mode.mass_fraction != 0.0) {
+    const ModeMotion mode = mode_motion(y);
+    const double outer_mass = (1.0 - mechanisms_.mode.mass_fraction) * setup_.mass;
+    rate[mode_displacement] = mode.velocity;
+    rate[mode_velocity] = mode_acceleration(mechanisms_.mode, mode, total / outer_mass);
+    rate[dissipated] += mode_loss(mechanisms_.mode, mode, setup_.mass);
+  }
+}
+
+double ComposedContact::centre_of_mass_deflection(const Phase& phase, const State& y) const {
+  double x = y[approach] + y[plate_displacement] +
+             mechanisms_.mode.mass_fraction * y[mode_displacement];
+  if (body_compliance_ != 0.0) x -= body_compliance_ * elastic_.acting(phase, y[approach]);
+  return x;
+}
+
+double ComposedContact::contact_force(const Phase& phase, const State& y) const {
+  return phase.kind == Kind::open ? 0.0 : forces(phase, y).contact();
+}
+
+double ComposedContact::instrument_force(const Phase& phase, const State& y) const {
+  return plate_.moves() ? load_cell_force(plate_, plate_motion(y)) : contact_force(phase, y);
+}
+
+bool ComposedContact::remembers() const {
+  return mechanisms_.memory != UnloadingMemory{} || pull_off_ != 0.0;
+}
+
+ComposedContact::Watches ComposedContact::watches(const Phase& phase) const {
+  if (phase.kind == Kind::open) return {{{{Event::touching, false}, {Event::gone, true}}}, 2};
+  Watches watches;
+  watches.list[watches.count++] = {Event::separated, true};
+  if (setup_.separation == SeparationRule::zero_force)
+    watches.list[watches.count++] = {Event::released, true};
+  if (phase.kind == Kind::below)
+    watches.list[watches.count++] = {Event::reloading, false};
+  else if (remembers())
+    watches.list[watches.count++] = {Event::turning, true};
+  return watches;
+}
+
+double ComposedContact::indicator(Event event, const Phase& phase, const State& y) const {
+  const double left = remaining_deflection(
+      mechanisms_.memory, y[approach], phase.kind == Kind::loading ? y[approach] : phase.largest);
+  switch (event) {
+    case Event::turning: return closing_speed(y);
+    case Event::reloading: return y[approach] - phase.largest;
+    case Event::released: return forces(phase, y).without_adhesion();
+    case Event::separated:
+      return setup_.separation == SeparationRule::zero_force ? left
+                                                             : centre_of_mass_deflection(phase, y);
+    case Event::touching:
+      return std::min(forces(phase, y).without_adhesion() / peak_force_,
+                      left / scales_.deflection);
+    case Event::gone: {
+      double reach = y[velocity] < 0.0 ? centre_of_mass_deflection(phase, y) : scales_.deflection;
+      if (plate_.moves())
+        reach += std::sqrt(2.0 * plate_energy(plate_, plate_motion(y)) / plate_.stiffness);
+      const InternalMode& mode = mechanisms_.mode;
+      if (mode.mass_fraction != 0.0)
+        reach += mode.mass_fraction *
+                 std::hypot(y[mode_displacement], y[mode_velocity] / mode_angular_frequency(mode));
+      return reach;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The ball leaves faster than anything that rings can follow, or not.
+bool ComposedContact::may_touch_again(const State& y) const {
+  double fastest = 0.0;
+  if (plate_.moves())
+    fastest += std::sqrt(2.0 * plate_energy(plate_, plate_motion(y)) / plate_.mass);
+  const InternalMode& mode = mechanisms_.mode;
+  if (mode.mass_fraction != 0.0)
+    fastest += mode.mass_fraction *
+               std::hypot(y[mode_velocity], mode_angular_frequency(mode) * y[mode_displacement]);
+  return fastest > 0.0 && !(-y[velocity] > fastest);
+}
+
+std::optional<ContactPhase> ComposedContact::next_phase(Event event, const Phase& phase,
+                                                        State& y) const {
+  switch (event) {
+    case Event::turning: return Phase{Kind::below, y[approach]};
+    case Event::reloading: return Phase{Kind::loading, 0.0};
+    case Event::touching: {
+      const Phase next = remembers() ? Phase{Kind::below, phase.largest} : Phase{};
+      y[dissipated] -= stored_energy(next, y);
+      return next;
+    }
+    case Event::released:
+    case Event::separated: {
+      if (setup_.separation != SeparationRule::zero_force || !may_touch_again(y)) return {};
+      y[dissipated] += stored_energy(phase, y);  // what the ball holds while it is free
+      return Phase{Kind::open, phase.kind == Kind::loading ? y[approach] : phase.largest};
+    }
+    case Event::gone: break;
+  }
+  return {};
+}
+
+double ComposedContact::stored_energy(const Phase& phase, const State& y) const {
+  double stored = elastic_.recoverable_energy(phase, y[approach]);
+  if (body_compliance_ != 0.0) {
+    const double force = elastic_.acting(phase, y[approach]);
+    stored -= 0.5 * body_compliance_ * force * force;
+  }
+  return stored;
+}
+
+Closures ComposedContact::closures(const Phase& phase, const State& y, double time) const {
+  const double m = setup_.mass;
+  const double brought = 0.5 * m * setup_.speed * setup_.speed;
+  double found = 0.5 * m * y[velocity] * y[velocity] + stored_energy(phase, y) +
+                 elastic_.lost_energy(phase, y[approach]) + y[dissipated] -
+                 m * mechanisms_.gravity * centre_of_mass_deflection(phase, y);
+  if (plate_.moves()) found += plate_energy(plate_, plate_motion(y));
+  if (mechanisms_.mode.mass_fraction != 0.0)
+    found += mode_energy(mechanisms_.mode, mode_motion(y), m);
+  const double momentum = m * (setup_.speed - y[velocity]);
+  const double weight = m * mechanisms_.gravity * time;
+  return {.impulse = std::abs(y[impulse] - weight - momentum) / momentum,
+          .energy = std::abs(found - brought) / brought};
+}
+
+}  // namespace rebound

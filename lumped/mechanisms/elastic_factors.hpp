@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+
+#include "lumped/mechanisms/reference_scales.hpp"
+#include "lumped/problem/mechanisms.hpp"
+
+namespace rebound {
+
+/// Product of the factors on the elastic force that depend on deflection.
+///
+///   (x/x_r)^a · (1 + b x/R) · {1 − c [1 − e^(−20 x/R)]} · (1 + d ⟨x/R − ¼⟩²) · (1 + l e^(−10 x/R))
+///
+///   ratio   x/R, ≥ 0 [-]       x_r = R/10       ⟨·⟩ positive part
+///
+/// Valid:   any law; a power law of exponent n stays one of exponent n + a.
+/// Limit:   all numbers zero give exactly 1 -> test ElasticForceTest.NoFactorIsTheLaw.
+/// Caution: x^a is singular at x = 0 for a < 0; the caller leaves out x = 0.
+inline double elastic_factor(const ElasticFactors& factors, double ratio) {
+  double product = 1.0;
+  if (factors.exponent != 0.0)
+    product *= std::pow(ratio / reference_deflection_share, factors.exponent);
+  product *= 1.0 + factors.stiffening * ratio;
+  if (factors.softening != 0.0) product *= 1.0 + factors.softening * std::expm1(-20.0 * ratio);
+  if (factors.densification != 0.0 && ratio > 0.25)
+    product *= 1.0 + factors.densification * (ratio - 0.25) * (ratio - 0.25);
+  if (factors.layer != 0.0) product *= 1.0 + factors.layer * std::exp(-10.0 * ratio);
+  return product;
+}
+
+/// Factor on the stiffness at impact speed v₀: (v₀/v_r)^r, constant over one impact.
+///
+/// Limit: v₀ = v_r gives 1 whatever r -> test ElasticForceTest.RateFactorIsOneAtTheReferenceSpeed.
+inline double rate_factor(const ElasticFactors& factors, double speed) {
+  return factors.rate_exponent == 0.0 ? 1.0
+                                      : std::pow(speed / reference_speed, factors.rate_exponent);
+}
+
+}  // namespace rebound

@@ -1,0 +1,99 @@
+#include "lumped/mechanisms/elastic_force.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <string>
+
+#include "lumped/mechanisms/elastic_factors.hpp"
+#include "lumped/mechanisms/unloading_memory.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+namespace {
+
+using Gauss = boost::math::quadrature::gauss<double, 30>;
+
+double law_force(const AnyLaw& law, double x) {
+  return std::visit([x](const auto& l) { return l.elastic_force(x); }, law);
+}
+
+bool depends_on_deflection(ElasticFactors factors) {
+  factors.rate_exponent = 0.0;
+  return factors != ElasticFactors{};
+}
+
+}  // namespace
+
+ElasticForce::ElasticForce(const AnyLaw& law, const Mechanisms& mechanisms, const Setting& setting)
+    : law_(law),
+      factors_(mechanisms.elastic),
+      memory_(mechanisms.memory),
+      radius_(setting.radius),
+      rate_factor_(rate_factor(mechanisms.elastic, setting.speed)),
+      varying_(depends_on_deflection(mechanisms.elastic)) {
+  if (factors_.exponent >= 0.0) return;
+  const double x = 1e-9 * radius_;  // small enough for a power law to show its exponent
+  const double exponent = std::log2(law_force(law_, 2.0 * x) / law_force(law_, x));
+  if (!(exponent + factors_.exponent > 0.0))
+    throw Error(ExitCode::bad_input,
+                "the elastic force would not vanish at first touch: the law's exponent is " +
+                    std::to_string(exponent),
+                {.key = "model.effect.size", .value = std::to_string(factors_.exponent),
+                 .allowed = "a sum of both above 0"});
+}
+
+double ElasticForce::elastic_force(double x) const {
+  const double bare = rate_factor_ * law_force(law_, x);
+  if (!varying_ || x == 0.0) return bare;
+  return bare * elastic_factor(factors_, std::abs(x) / radius_);
+}
+
+double ElasticForce::elastic_energy(double x) const {
+  if (!varying_)
+    return rate_factor_ *
+           std::visit([x](const auto& l) { return l.elastic_energy(x); }, law_);
+  return Gauss::integrate([&](double u) { return 2.0 * u * elastic_force(u * u); }, 0.0,
+                          std::sqrt(std::abs(x)));
+}
+
+double ElasticForce::acting(const ContactPhase& phase, double x) const {
+  if (phase.kind == ContactPhase::Kind::loading) return elastic_force(x);
+  const double remaining = remaining_deflection(memory_, x, phase.largest);
+  if (remaining < 0.0 && memory_.permanent_set > 0.0) return 0.0;
+  return elastic_force(remaining) * hysteresis_factor(memory_, remaining, phase.largest);
+}
+
+double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
+  const double h = 1e-3 * std::abs(x);
+  if (h == 0.0) return 0.0;
+  const auto force = [&](double at) { return acting(phase, at); };
+  return (8.0 * (force(x + h) - force(x - h)) - (force(x + 2.0 * h) - force(x - 2.0 * h))) /
+         (12.0 * h);
+}
+
+double ElasticForce::unloading_integral(double remaining, double largest) const {
+  const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
+  if (memory_.hysteresis == 0.0) return share * elastic_energy(remaining);
+  return share * Gauss::integrate(
+                     [&](double u) {
+                       return 2.0 * u * elastic_force(u * u) *
+                              hysteresis_factor(memory_, u * u, largest);
+                     },
+                     0.0, std::sqrt(std::abs(remaining)));
+}
+
+double ElasticForce::recoverable_energy(const ContactPhase& phase, double x) const {
+  if (phase.kind == ContactPhase::Kind::loading) return unloading_integral(x, x);
+  const double remaining = remaining_deflection(memory_, x, phase.largest);
+  if (remaining < 0.0 && memory_.permanent_set > 0.0) return 0.0;
+  return unloading_integral(remaining, phase.largest);
+}
+
+double ElasticForce::lost_energy(const ContactPhase& phase, double x) const {
+  if (memory_ == UnloadingMemory{}) return 0.0;
+  const double largest = phase.kind == ContactPhase::Kind::loading ? x : phase.largest;
+  return elastic_energy(largest) - unloading_integral(largest, largest);
+}
+
+}  // namespace rebound
