@@ -24,7 +24,7 @@ namespace rebound {
 namespace {
 
 std::string fem_help() {
-  return "Keys of FILE (TOML):\n" + help_text<FemProblem>() + "\n" + exit_code_help();
+  return "Keys of FILE (TOML):\n" + help_text<FemImpactFile>() + "\n" + exit_code_help();
 }
 
 /// A user's mesh in millimetres, or of another ball, would run and mislead.
@@ -73,14 +73,15 @@ FemResult simulate_located(const Document& document, const FemProblem& problem, 
 
 ExitCode run_fem(const Session& session, const std::string& file) {
   const Document document = Document::load(file);
-  FemProblem problem = read_fem_problem(document);
+  const FemImpactFile impact_file = read_fem_impact(document);
+  FemProblem problem = applied(impact_file, document);
   prepare_output(session, document, problem);
   const FemResult result = simulate_located(document, problem, mesh_for(problem));
   if (!session.out.empty()) {
     Provenance provenance = provenance_of(session, file, document.text());
     provenance.modules = {fem_tier().versions()};
     write_result({.folder = session.out,
-                  .effective_toml = write_toml(problem),
+                  .effective_toml = write_toml(impact_file),
                   .provenance = provenance},
                  result);
   }

@@ -19,7 +19,7 @@ namespace rebound {
 namespace {
 
 std::string lumped_help() {
-  std::string text = "Keys of FILE (TOML):\n" + help_text<LumpedProblem>() + "\nLaws:\n";
+  std::string text = "Keys of FILE (TOML):\n" + help_text<LumpedImpactFile>() + "\nLaws:\n";
   for (const LawCard& law : all_laws())
     text += "  " + law.name + "\n      " + law.equation + "\n      " + law.source + "\n";
   return text + "\n" + exit_code_help();
@@ -35,13 +35,14 @@ LumpedResult simulate_located(const Document& document, const LumpedProblem& pro
 
 ExitCode run_lumped(const Session& session, const std::string& file) {
   const Document document = Document::load(file);
-  const LumpedProblem problem = read_lumped_problem(document);
+  const LumpedImpactFile impact_file = read_lumped_impact(document);
+  const LumpedProblem problem = applied(impact_file, document);
   if (!session.out.empty()) make_writable_folder(session.out);
   const LumpedResult result = simulate_located(document, problem);
   check_deflection(document, problem.sphere, result.scalars.peak_deflection);
   if (!session.out.empty())
     write_result({.folder = session.out,
-                  .effective_toml = write_toml(problem),
+                  .effective_toml = write_toml(impact_file),
                   .provenance = provenance_of(session, file, document.text())},
                  result);
   print_result(session, to_json(result));

@@ -24,8 +24,8 @@ struct Format {
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> list{
-      {"lumped", [] { return json_schema<LumpedProblem>("Impact file, lumped tier"); }},
-      {"fem", [] { return json_schema<FemProblem>("Impact file, FE tier"); }},
+      {"lumped", [] { return json_schema<LumpedImpactFile>("Impact file, lumped tier"); }},
+      {"fem", [] { return json_schema<FemImpactFile>("Impact file, FE tier"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},

@@ -1,6 +1,8 @@
 #include "comparisons/config/describe_fem.hpp"
 
+#include "comparisons/config/describe_effect.hpp"
 #include "comparisons/config/describe_impact.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -108,21 +110,36 @@ void describe_fem_model(Visitor& visit, FemProblem& problem) {
               cells);
   if (cells) problem.cells = *cells;
   visit.table({.name = "material", .sentence = "What the ball is made of."}, problem.material);
-  visit.not_available("plate", "a plate that moves or rubs is not available in this version");
-  visit.not_available("effect", "effects are not available in this version");
+  visit.table({.name = "plate",
+               .sentence = "What the ball hits; absent: rigid, without friction.",
+               .presence = Presence::optional},
+              problem.plate);
 }
 
-void describe(Visitor& visit, FemProblem& problem) {
+void describe(Visitor& visit, FemImpactFile& file) {
+  FemProblem& problem = file.problem;
   describe_schema(visit);
   visit.table({.name = "impact", .sentence = "Normal impact on a plate at rest, no spin."},
               problem.impact);
   visit.table({.name = "sphere", .sentence = "The ball."}, problem.sphere);
   visit.visit_table({.name = "model", .sentence = "The model of the ball."},
-                    [&](Visitor& inner) { describe_fem_model(inner, problem); });
+                    [&](Visitor& inner) {
+                      describe_fem_model(inner, problem);
+                      describe_effects(inner, file.effects);
+                    });
   visit.table({.name = "controls",
                .sentence = "Resolution in time, and what is recorded.",
                .presence = Presence::optional},
               problem.controls);
+}
+
+void describe(Visitor& visit, FemProblem& problem) {
+  if (problem.gravity != 0.0)
+    throw Error(ExitCode::bad_input,
+                "a file has gravity as an effect: write the impact file this problem was made from");
+  FemImpactFile file{.problem = problem, .effects = {}};
+  describe(visit, file);
+  problem = file.problem;
 }
 
 }  // namespace rebound

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/config/impact_record.hpp"
 #include "comparisons/config/visitor.hpp"
 #include "lumped/problem/fem_problem.hpp"
 
@@ -13,6 +14,10 @@ void describe(Visitor& visit, FemControls& controls);
 void describe_fem_model(Visitor& visit, FemProblem& problem);
 
 /// A whole FE impact file.
+void describe(Visitor& visit, FemImpactFile& file);
+
+/// A problem without effects, as a file that gives it again.
+/// Errors: Error(bad_input) for a problem with gravity, which a file has as an effect.
 void describe(Visitor& visit, FemProblem& problem);
 
 }  // namespace rebound

@@ -1,9 +1,11 @@
 #include "comparisons/config/describe_lumped.hpp"
 
+#include "comparisons/config/describe_effect.hpp"
 #include "comparisons/config/describe_impact.hpp"
 #include "comparisons/config/units.hpp"
 #include "lumped/laws/damping_formulas.hpp"
 #include "lumped/laws/laws.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -124,21 +126,39 @@ void describe_lumped_model(Visitor& visit, LumpedModel& model) {
                       describe_at_speed(inner, model,
                                         i < model.at_speed.size() ? model.at_speed[i] : example);
                     }});
-  visit.not_available("plate", "a plate that moves or rubs is not available in this version");
-  visit.not_available("effect", "effects are not available in this version");
+  visit.table({.name = "plate",
+               .sentence = "What the ball hits; absent: rigid. Friction has no lumped form.",
+               .presence = Presence::optional},
+              model.mechanisms.plate);
 }
 
-void describe(Visitor& visit, LumpedProblem& problem) {
+void describe(Visitor& visit, LumpedImpactFile& file) {
+  LumpedProblem& problem = file.problem;
   describe_schema(visit);
   visit.table({.name = "impact", .sentence = "Normal impact on a plate at rest, no spin."},
               problem.impact);
   visit.table({.name = "sphere", .sentence = "The ball."}, problem.sphere);
   visit.visit_table({.name = "model", .sentence = "The contact law and its numbers."},
-                    [&](Visitor& inner) { describe_lumped_model(inner, problem.model); });
+                    [&](Visitor& inner) {
+                      describe_lumped_model(inner, problem.model);
+                      describe_effects(inner, file.effects);
+                    });
   visit.table({.name = "controls",
                .sentence = "Accuracy and sampling.",
                .presence = Presence::optional},
               problem.controls);
+}
+
+void describe(Visitor& visit, LumpedProblem& problem) {
+  Mechanisms beside_plate = problem.model.mechanisms;
+  beside_plate.plate = {};
+  if (beside_plate.act() || problem.model.exact_damping_share != 0.0)
+    throw Error(ExitCode::bad_input,
+                "a file names effects, not mechanisms: write the impact file this problem was "
+                "made from");
+  LumpedImpactFile file{.problem = problem, .effects = {}};
+  describe(visit, file);
+  problem = file.problem;
 }
 
 }  // namespace rebound

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/config/impact_record.hpp"
 #include "comparisons/config/visitor.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -21,6 +22,11 @@ std::vector<std::string> law_names();
 std::vector<std::string> formula_names();
 
 /// A whole lumped impact file.
+void describe(Visitor& visit, LumpedImpactFile& file);
+
+/// A problem without effects, as a file that gives it again.
+/// Errors: Error(bad_input) for a problem with mechanisms other than the plate:
+///         a file names effects, not mechanisms.
 void describe(Visitor& visit, LumpedProblem& problem);
 
 }  // namespace rebound

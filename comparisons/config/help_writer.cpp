@@ -52,14 +52,17 @@ void HelpWriter::visit_texts(const Key& key, std::vector<std::string>&) {
 void HelpWriter::visit_table(const Key& key, const std::function<void(Visitor&)>& body) {
   text_ += fmt::format("\n[{}]  {}\n", path_of(key.name), key.sentence);
   HelpWriter inner(path_of(key.name));
+  inner.listed_ = listed_;
   body(inner);
+  listed_ = inner.listed_;
   text_ += inner.text();
 }
 
 void HelpWriter::visit_list(const Key& key, const List& list) {
   text_ += fmt::format("\n[[{}]]  {}\n", path_of(key.name), key.sentence);
   HelpWriter inner(path_of(key.name));
-  inner.one_case_ = true;
+  inner.listed_ = listed_;
+  inner.in_list_ = true;
   list.visit(inner, 0);
   text_ += inner.text();
 }
@@ -67,7 +70,8 @@ void HelpWriter::visit_list(const Key& key, const List& list) {
 void HelpWriter::cases(const std::vector<std::string>& names, std::string chosen,
                        const std::function<void(const std::string&)>& choose,
                        const std::function<void(Visitor&)>& body) {
-  if (one_case_) return body(*this);
+  if (in_list_ && listed_.contains(names)) return body(*this);
+  listed_.insert(names);
   for (const std::string& name : names) {
     choose(name);
     text_ += fmt::format("\n  with \"{}\":\n", name);

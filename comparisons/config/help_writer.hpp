@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <vector>
 
 #include "comparisons/config/visitor.hpp"
 
@@ -32,7 +34,9 @@ class HelpWriter final : public Visitor {
 
   std::string path_;
   std::string text_;
-  bool one_case_ = false;  // in a list, whose cases are those already listed above it
+  bool in_list_ = false;
+  // Cases written so far: a list whose cases stand above it does not repeat them.
+  std::set<std::vector<std::string>> listed_;
 };
 
 template <class Record>

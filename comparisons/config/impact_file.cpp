@@ -8,6 +8,7 @@
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/reader.hpp"
 #include "comparisons/config/units.hpp"
+#include "lumped/integration/composed_contact.hpp"
 #include "lumped/laws/make_law.hpp"
 
 namespace rebound {
@@ -63,7 +64,32 @@ double instantaneous_shear_speed(const FemProblem& problem) {
   return std::sqrt(modulus / problem.sphere.density());
 }
 
+/// A plate's mass says nothing of a plate that stands still.
+void check_plate(const Document& document) {
+  const auto plate = document.root()["model"]["plate"];
+  if (plate["stiffness"]) return;
+  for (const char* key : {"mass", "damping_ratio"})
+    if (plate[key])
+      throw document.error_at(fmt::format("model.plate.{}", key),
+                              "this belongs to a plate that moves: give its stiffness too");
+}
+
+/// What the records can say and the FE tier does not do yet.
+void check_available(const Document& document, const FemProblem& problem) {
+  const bool by_effect = !document.root()["model"]["plate"];
+  const auto refuse = [&](const char* key, const char* what) {
+    throw document.error_at(by_effect ? "model.effect" : key,
+                            fmt::format("{} is not available in the FE tier of this version", what));
+  };
+  if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
+  if (problem.plate.moves()) refuse("model.plate.stiffness", "a plate that moves");
+  if (problem.gravity != 0.0)
+    throw document.error_at("model.effect",
+                            "gravity is not available in the FE tier of this version");
+}
+
 void check_fem(const Document& document, const FemProblem& problem) {
+  check_available(document, problem);
   if (problem.impact.separation != SeparationRule::zero_force)
     throw document.error_at("impact.separation",
                             "the FE tier finds separation by the force alone", "zero-force");
@@ -101,25 +127,64 @@ void check_density(const Document& document, const Sphere& sphere) {
       "an implied density of 50 to 20000 kg/m^3");
 }
 
-LumpedProblem read_lumped_problem(const Document& document) {
+LumpedImpactFile read_lumped_impact(const Document& document) {
   check_tier(document, "lumped", "fem");
-  LumpedProblem problem;
-  read_document(document, problem);
-  check_density(document, problem.sphere);
-  check_parameters(document, problem);
-  return problem;
+  LumpedImpactFile file;
+  read_document(document, file);
+  check_density(document, file.problem.sphere);
+  check_plate(document);
+  if (file.problem.model.mechanisms.plate.friction != 0.0)
+    throw document.error_at("model.plate.friction",
+                            "friction has no lumped form, a law's stiffness absorbs it; the FE "
+                            "tier is where it belongs");
+  check_parameters(document, file.problem);
+  applied({.problem = file.problem, .effects = physical_effects(file.effects)}, document);
+  return file;
 }
 
-FemProblem read_fem_problem(const Document& document) {
+FemImpactFile read_fem_impact(const Document& document) {
   check_tier(document, "fem", "lumped");
-  FemProblem problem;
-  read_document(document, problem);
+  FemImpactFile file;
+  read_document(document, file);
+  FemProblem& problem = file.problem;
   check_density(document, problem.sphere);
-  check_fem(document, problem);
+  check_plate(document);
   const std::filesystem::path mesh = problem.mesh_file;
   // Absolute, so that the effective configuration means the same file elsewhere.
   if (!mesh.empty()) problem.mesh_file = std::filesystem::absolute(document.folder() / mesh).string();
+  check_fem(document, problem);
+  applied({.problem = problem, .effects = physical_effects(file.effects)}, document);
+  return file;
+}
+
+LumpedProblem applied(const LumpedImpactFile& file, const Document& document) {
+  LumpedProblem problem = file.problem;
+  try {
+    apply_effects(file.effects, problem);
+    if (problem.model.mechanisms.act()) ComposedContact{problem};  // can it be composed?
+  } catch (const Error& error) {
+    throw document.located(error);
+  }
   return problem;
+}
+
+FemProblem applied(const FemImpactFile& file, const Document& document) {
+  FemProblem problem = file.problem;
+  try {
+    apply_effects(file.effects, problem);
+  } catch (const Error& error) {
+    throw document.located(error);
+  }
+  check_fem(document, problem);
+  return problem;
+}
+
+LumpedProblem read_lumped_problem(const Document& document) {
+  return applied(read_lumped_impact(document), document);
+}
+
+FemProblem read_fem_problem(const Document& document) {
+  return applied(read_fem_impact(document), document);
 }
 
 LumpedProblem read_lumped_file(const std::filesystem::path& file) {

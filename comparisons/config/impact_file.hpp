@@ -3,8 +3,7 @@
 #include <filesystem>
 
 #include "comparisons/config/document.hpp"
-#include "lumped/problem/fem_problem.hpp"
-#include "lumped/problem/lumped_problem.hpp"
+#include "comparisons/config/impact_record.hpp"
 
 namespace rebound {
 
@@ -17,7 +16,10 @@ namespace rebound {
 ///   FE        zero-force separation; ν ≤ 0.45; shares of the instantaneous
 ///             modulus sum below 1; v below the shear wave speed √(μ/ρ) of
 ///             the unrelaxed material; either `mesh` or `cells`
+///   plate     mass and damping ratio beside a stiffness only; no friction
+///   effects   with a form in the tier, each once, their requirements met
 ///
+/// What comes back has the effects applied.
 /// Errors: Error(bad_input) with file, line, key path, value and range;
 /// Error(input_output_failed) for a file that cannot be read.
 LumpedProblem read_lumped_file(const std::filesystem::path& file);
@@ -26,6 +28,16 @@ FemProblem read_fem_file(const std::filesystem::path& file);
 /// The same from a document in memory.
 LumpedProblem read_lumped_problem(const Document& document);
 FemProblem read_fem_problem(const Document& document);
+
+/// The file as it stands: its problem without its effects, and the effects.
+/// Faults of the measurement are allowed among them here.
+LumpedImpactFile read_lumped_impact(const Document& document);
+FemImpactFile read_fem_impact(const Document& document);
+
+/// The problem of a file with the file's effects applied.
+/// Errors: those of apply_effects, with the place in the file.
+LumpedProblem applied(const LumpedImpactFile& file, const Document& document);
+FemProblem applied(const FemImpactFile& file, const Document& document);
 
 /// The check of mass against diameter, for any file with a [sphere].
 void check_density(const Document& document, const Sphere& sphere);

@@ -40,7 +40,8 @@ struct EffectCard {
   double lowest = 0.0;       ///< allowed sizes, SI
   double highest = 0.0;
   double prior_scale = 0.0;  ///< a size that would surprise nobody; sets steps and starts of fits
-  /// Only null and one are meaningful (a formula is exact or not, gravity acts or not).
+  /// Only null and one are meaningful (a formula is exact or not, gravity acts or
+  /// not); sizes between interpolate, for derivatives.
   bool is_switch = false;
   std::vector<EffectParameterCard> parameters;
   std::string signature;   ///< where it shows
@@ -53,10 +54,13 @@ struct EffectChoice {
   std::string name;
   double size = 0.0;  ///< SI, by the card
   std::map<std::string, double> parameters;  ///< those left out take the card's default
+
+  friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
 };
 
 /// One effect: its card, and how it changes the plain records of each tier.
-/// A null pointer means that the effect has no form there.
+/// A null pointer means that the effect has no form there. The functions get a
+/// choice that has been checked, with every parameter, at a size that is not null.
 struct Effect {
   EffectCard card;
   void (*to_lumped)(const EffectChoice&, LumpedProblem&) = nullptr;
@@ -67,17 +71,23 @@ struct Effect {
 /// The list, in the order of effects that a report shows.
 const std::vector<Effect>& all_effects();
 
+/// Names of the list, in its order.
+std::vector<std::string> effect_names();
+
 /// Errors: Error(bad_input) with the names there are.
 const Effect& find_effect(const std::string& name);
 
 /// Applies effects one after the other; each edits plain records only. At its
 /// null size an effect leaves the record bit-identical.
-/// Errors: Error(bad_input) for an unknown effect or parameter, a size or
+/// Errors: Error(bad_input) with the key path "model.effect[i]…" for an unknown effect or parameter, a size or
 ///         parameter out of range, an effect without a form in this tier, one
 ///         given twice, or one whose requirement the problem does not meet.
 void apply_effects(const std::vector<EffectChoice>& effects, LumpedProblem& problem);
 void apply_effects(const std::vector<EffectChoice>& effects, FemProblem& problem);
 /// Applies those that are faults of the measurement; the others are passed over.
 void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& chain);
+
+/// Those that act on the impact itself, without faults of the measurement.
+std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects);
 
 }  // namespace rebound

@@ -83,8 +83,9 @@ double ComposedContact::approach_rate(const Phase& phase, const State& y) const 
   const double closing = closing_speed(y);
   if (body_compliance_ == 0.0) return closing;
   const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
-  // Beyond its range the correction has no solution; the step is refused.
-  return share > 0.0 ? closing / share : std::numeric_limits<double>::quiet_NaN();
+  // Near the largest x the correction can give, and beyond, the step is refused.
+  constexpr double least_share = 0.05;
+  return share > least_share ? closing / share : std::numeric_limits<double>::quiet_NaN();
 }
 
 ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State& y) const {

@@ -16,6 +16,12 @@ constexpr std::size_t most_attempts = 50'000;
 
 using Event = ComposedContact::Event;
 
+Error no_way_on() {
+  return {ExitCode::solver_failed,
+          "a mechanism leaves its range during the contact: the force has no value beyond (the "
+          "finite-sphere correction holds as long as the contact gives way more than the body)"};
+}
+
 bool ends_contact(Event event) { return event == Event::released || event == Event::separated; }
 
 }  // namespace
@@ -74,7 +80,7 @@ ComposedIntegrator::Found ComposedIntegrator::first_event(const Start& start, co
     if (!(sign * contact_.indicator(event, start.phase, start.state) > 0.0)) continue;
     const double after = found.any ? indicator_after(event, start, limit)
                                    : contact_.indicator(event, start.phase, step.y);
-    if (sign * after > 0.0) continue;
+    if (!(sign * after <= 0.0)) continue;  // a NaN is left to the error of the next step
     found = {event, locate(event, start, limit), true};
     // A force that vanishes together with the deflection has a flat zero there:
     // another event counts only when it comes clearly before.
@@ -117,6 +123,7 @@ const ComposedEnd& ComposedIntegrator::integrate() {
     const double error = error_norm(step);
     if (!std::isfinite(error)) {
       h *= 0.1;
+      if (h < 1e-14 * scales.time) throw no_way_on();
       continue;
     }
     if (error <= 1.0) {
@@ -138,7 +145,7 @@ const ComposedEnd& ComposedIntegrator::integrate() {
   }
   throw Error(ExitCode::solver_failed,
               "the fast integrator ran out of steps: something in the contact is too fast for an "
-              "explicit method, or outside the range of its mechanism");
+              "explicit method");
 }
 
 ComposedContact::State state_within(const ComposedKnot& knot, double fraction) {

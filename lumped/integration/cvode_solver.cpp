@@ -99,6 +99,7 @@ CvodeSolver::CvodeSolver(CvodeSystem system, const CvodeTolerances& tolerances,
   check(CVodeSetUserData(h.cvode, &h.system), "starting");
   check(CVodeSVtolerances(h.cvode, tolerances.relative, h.tolerance), "starting");
   check(CVodeSetLinearSolver(h.cvode, h.linear, h.matrix), "starting");
+  check(CVodeSetNonlinConvCoef(h.cvode, tolerances.newton), "starting");
   check(CVodeSetMaxNumSteps(h.cvode, 1'000'000), "starting");
 }
 

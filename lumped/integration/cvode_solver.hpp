@@ -18,6 +18,7 @@ struct CvodeSystem {
 struct CvodeTolerances {
   double relative = 1e-9;
   std::vector<double> absolute;  ///< one per state
+  double newton = 0.1;           ///< share of the local error left to Newton; 0.1 is CVODE's own
 };
 
 /// SUNDIALS CVODE (Adams, Newton with a dense matrix) behind values and exceptions.

@@ -19,7 +19,7 @@ double finite_sphere_coefficient(double poisson_ratio);
 ///   F   elastic force as it acts, any law          [N]
 ///   E   modulus that Hertz reads from the force at x_r, of a Hertz law at any x [Pa]
 ///
-/// Valid:   as long as 1 − c F′(δ) > 0; for Hertz up to x = 0.4 R.
+/// Valid:   as long as 1 − c F′(δ) > 0.05; for Hertz up to x = 0.4 R. Beyond, the solver gives up.
 /// Limit:   F at a given x is 20 % above Hertz at a/R = 0.2, ν = 0.4
 ///          -> test FiniteSphereTest.ForceAboveHertz.
 /// Caution: first order, small strain: at a/R = 0.4 good to some per cent.

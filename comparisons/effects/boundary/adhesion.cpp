@@ -1,0 +1,29 @@
+#include "comparisons/effects/declarations.hpp"
+
+namespace rebound {
+
+Effect adhesion_effect() {
+  return {
+      .card = {
+          .name = "adhesion",
+          .kind = EffectKind::boundary,
+          .sentence = "Ball and plate stick: a constant pull while in contact, to pull-off.",
+          .equation = "- 2 pi R s, ramped in over the first 1 % of peak force",
+          .size_dimension = dimension::energy_per_area,
+          .lowest = 0.0,
+          .highest = 100000.0,
+          .prior_scale = 20.0,
+          .signature = "A tensile tail at the end of the force; restitution that rises with "
+                       "speed.",
+          .experiment = "Sign of the slope of e at low speed; the same shots on a powdered or "
+                        "a wet plate.",
+          .source = "Derjaguin, Muller & Toporov 1975; wet impacts: Gorin et al."
+      },
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.adhesion = choice.size;
+          },
+  };
+}
+
+}  // namespace rebound

@@ -1,0 +1,29 @@
+#include "comparisons/effects/declarations.hpp"
+
+namespace rebound {
+
+Effect hysteresis_effect() {
+  return {
+      .card = {
+          .name = "hysteresis",
+          .kind = EffectKind::dissipative,
+          .sentence = "Loss that does not depend on rate: unloading runs below loading.",
+          .equation = "unloading: F_e [1 - s (1 - x/x_max)]",
+          .size_dimension = dimension::none,
+          .lowest = 0.0,
+          .highest = 1.0,
+          .prior_scale = 0.2,
+          .signature = "Restitution the same at all speeds; loop of F over x of one shape, "
+                       "closed at x = 0.",
+          .experiment = "A slow loading and unloading loop: the loss is still there, which no "
+                        "viscous loss can do.",
+          .source = "Structural damping; Mullins-type softening of filled rubbers"
+      },
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.memory.hysteresis = choice.size;
+          },
+  };
+}
+
+}  // namespace rebound

@@ -1,0 +1,29 @@
+#include "comparisons/effects/declarations.hpp"
+
+namespace rebound {
+
+Effect permanent_set_effect() {
+  return {
+      .card = {
+          .name = "permanent-set",
+          .kind = EffectKind::dissipative,
+          .sentence = "A dent that stays: unloading ends before the deflection is back.",
+          .equation = "unloading: F_e((x - s x_max)/(1 - s)), nothing below s x_max",
+          .size_dimension = dimension::none,
+          .lowest = 0.0,
+          .highest = 0.9,
+          .prior_scale = 0.05,
+          .signature = "Force zero at x > 0, early; steeper unloading; e falls equally at all "
+                       "speeds; a second hit on the same spot meets a flat.",
+          .experiment = "Repeat shots on one spot and the diameter afterwards, hours later: "
+                        "relaxation recovers, set stays.",
+          .source = "Walton & Braun 1986; foams and cork after repeated impact"
+      },
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.memory.permanent_set = choice.size;
+          },
+  };
+}
+
+}  // namespace rebound

@@ -1,0 +1,58 @@
+#include "comparisons/effects/dissipative/prony_branch.hpp"
+
+#include <algorithm>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+namespace {
+
+double sum_of_ratios(const Material& material) {
+  double sum = 0.0;
+  for (const PronyBranch& branch : material.branches) sum += branch.ratio;
+  return sum;
+}
+
+bool all_relax(const Material& material, Relaxes what) {
+  return std::all_of(material.branches.begin(), material.branches.end(),
+                     [what](const PronyBranch& branch) { return branch.relaxes == what; });
+}
+
+void rescale_shares(Material& material, const PronyBranch& branch) {
+  const double before = material.youngs_modulus;
+  const double added = branch.ratio * before * (1.0 - sum_of_ratios(material));
+  material.youngs_modulus = before + added;
+  for (PronyBranch& other : material.branches) other.ratio *= before / material.youngs_modulus;
+  material.branches.push_back(branch);
+  material.branches.back().ratio = added / material.youngs_modulus;
+}
+
+/// Describes the same material by its long-term state; branches relax the deviator.
+void describe_as_long_term(Material& material) {
+  const double nu = material.poisson_ratio;
+  const double bulk = material.youngs_modulus / (3.0 * (1.0 - 2.0 * nu));
+  const double long_term_share = 1.0 - sum_of_ratios(material);
+  const double shear = long_term_share * 0.5 * material.youngs_modulus / (1.0 + nu);
+  material.youngs_modulus = 9.0 * bulk * shear / (3.0 * bulk + shear);
+  material.poisson_ratio = (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
+  material.modulus = ModulusBasis::long_term;
+  for (PronyBranch& branch : material.branches) branch.ratio /= long_term_share;
+}
+
+}  // namespace
+
+void add_prony_branch(Material& material, const PronyBranch& branch) {
+  if (material.modulus == ModulusBasis::instantaneous) {
+    if (all_relax(material, Relaxes::all)) return rescale_shares(material, branch);
+    if (!all_relax(material, Relaxes::deviator))
+      throw Error(ExitCode::bad_input,
+                  "branches of the instantaneous modulus relax partly all of the stress and partly "
+                  "the deviator, so that its shares cannot take a further branch; describe the "
+                  "material by its long-term modulus");
+    describe_as_long_term(material);
+  }
+  material.branches.push_back(branch);
+}
+
+}  // namespace rebound

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "lumped/problem/material.hpp"
+
+namespace rebound {
+
+/// Adds a branch that relaxes all of the stress, `ratio` over the long-term
+/// modulus, whatever the state the material is described in. Long-term moduli
+/// and the other branches stay what they are.
+///
+///   instantaneous, all branches "all":  E₀' = E₀ + s E∞,  gᵢ' = gᵢ E₀/E₀',  g = s E∞/E₀'
+///   instantaneous, all "deviator":      rewritten as long-term: μ∞ = μ₀ (1 − Σ gᵢ),  K∞ = K₀
+///
+/// Limit:  moduli before and after -> test PronyBranchTest.LongTermModuliStay.
+/// Errors: Error(bad_input) for an instantaneous description whose branches
+///         relax partly all and partly the deviator: shares of one modulus
+///         cannot say the same of both moduli; describe it as long-term.
+void add_prony_branch(Material& material, const PronyBranch& branch);
+
+}  // namespace rebound

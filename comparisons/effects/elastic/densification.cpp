@@ -1,0 +1,30 @@
+#include "comparisons/effects/declarations.hpp"
+
+namespace rebound {
+
+Effect densification_effect() {
+  return {
+      .card = {
+          .name = "densification",
+          .kind = EffectKind::elastic,
+          .sentence = "Cells close up: the force shoots up past a quarter radius of "
+                      "deflection.",
+          .equation = "F_e (1 + s <x/R - 1/4>^2)",
+          .size_dimension = dimension::none,
+          .lowest = 0.0,
+          .highest = 100000.0,
+          .prior_scale = 5.0,
+          .signature = "Force history of the fastest shots alone: narrow extra peak at the "
+                       "top; nothing below x = R/4.",
+          .experiment = "One shot well above and one below x = R/4, or a slow compression "
+                        "past it.",
+          .source = "Gibson & Ashby, cellular solids (densification strain)"
+      },
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.elastic.densification = choice.size;
+          },
+  };
+}
+
+}  // namespace rebound

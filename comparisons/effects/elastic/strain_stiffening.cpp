@@ -1,0 +1,30 @@
+#include "comparisons/effects/declarations.hpp"
+
+namespace rebound {
+
+Effect strain_stiffening_effect() {
+  return {
+      .card = {
+          .name = "strain-stiffening",
+          .kind = EffectKind::elastic,
+          .sentence = "The ball hardens with strain: finite deformation or a material that "
+                      "locks gently.",
+          .equation = "F_e (1 + s x/R), s >= 0",
+          .size_dimension = dimension::none,
+          .lowest = 0.0,
+          .highest = 100.0,
+          .prior_scale = 1.0,
+          .signature = "Local slope of ln F over ln x grows above the law at large "
+                       "deflection; pulse more peaked, contact time falls faster with speed.",
+          .experiment = "A deeper slow compression of the same ball, or a higher speed: the "
+                        "excess grows with x alone, whatever the rate.",
+          .source = "Tanaka et al. 2003 (impact of gel balls at large strain)"
+      },
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.elastic.stiffening = choice.size;
+          },
+  };
+}
+
+}  // namespace rebound
