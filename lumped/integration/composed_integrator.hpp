@@ -35,7 +35,7 @@ ComposedContact::State state_within(const ComposedKnot& knot, double fraction);
 /// in the new phase. Samples come from cubic Hermite polynomials of all states.
 ///
 /// Valid:   every law, every set of mechanisms, both separation rules.
-/// Limit:   same scalars as CVODE -> test EffectBattery.CvodeAgreesWithTheFastPath.
+/// Limit:   same scalars as CVODE -> test EffectBattery.BooksCloseAndCvodeAgreesWithTheFastPath.
 /// Caution: explicit: a branch far faster or a plate far stiffer than the
 ///          contact needs many steps; simulate() takes those.
 /// Errors:  Error(solver_failed) when the contact does not end or steps run out.
