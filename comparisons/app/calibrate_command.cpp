@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "comparisons/app/calibration_text.hpp"
@@ -21,7 +22,9 @@ namespace {
 std::string calibrate_help() {
   return "Keys of FILE (TOML):\n" + help_text<CalibrationFile>() +
          "\nThe calibrated law is printed as an impact file that `rebound lumped` runs; --out "
-         "writes it to\ncalibrated.toml, beside calibration.json.\n\n" +
+         "writes it to\ncalibrated.toml, beside calibration.json. With --out, a calibration that was "
+         "stopped or killed goes on\nwhere it was when the same command is given again "
+         "(checkpoint.json, removed at the end).\n\n" +
          exit_code_help();
 }
 
@@ -49,13 +52,19 @@ ExitCode run_calibrate(const Session& session, const std::string& path) {
   read_document(document, file);
   std::vector<std::string> labels;
   const std::vector<ReferenceShot> shots = read_shots(document, file, labels);
-  if (!session.out.empty()) make_writable_folder(session.out);
+  if (!session.out.empty()) {
+    make_writable_folder(session.out);
+    file.options.controls.checkpoint = session.out / "checkpoint.json";
+  }
   const LawCalibration calibration = [&] {
     ProgressLine progress("calibration");
     try {
       return calibrate(file.request, shots, file.options, progress.control());
     } catch (const Error& error) {
-      throw document.located(error);
+      if (error.code() != ExitCode::interrupted || session.out.empty())
+        throw error.location().file.empty() ? document.located(error) : error;
+      throw Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
+                  {.file = file.options.controls.checkpoint.string()});
     }
   }();
   const std::string toml = impact_file_of(calibration, shots);
@@ -68,6 +77,7 @@ ExitCode run_calibrate(const Session& session, const std::string& path) {
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));
     write_file_atomically(session.out / "calibrated.toml", toml);
     write_file_atomically(session.out / "calibration.json", dump(stored));
+    std::filesystem::remove(file.options.controls.checkpoint);
   }
   if (session.json())
     fmt::print("{}", dump(json));

@@ -18,10 +18,20 @@ Json value_or_null(const std::optional<double>& value) {
 const char* name_of(Identifiability identifiability) {
   switch (identifiability) {
     case Identifiability::identified: return "identified";
+    case Identifiability::weakly_identified: return "weakly-identified";
     case Identifiability::at_bound: return "at-bound";
     case Identifiability::not_identifiable: return "not-identifiable";
   }
   return "";
+}
+
+Json profile_json(const Estimate& estimate) {
+  if (!estimate.profile) return nullptr;
+  const ProfileInterval& p = *estimate.profile;
+  return {{"interval", {p.low, p.high}},
+          {"closed", {p.low_closed, p.high_closed}},
+          {"value", p.value},
+          {"cost", p.cost}};
 }
 
 Json to_json(const ScalarErrors& errors) {
@@ -87,6 +97,7 @@ Json to_json(const CalibrationResult& result) {
                          {"value", e.value},
                          {"standard_error", finite_or_null(e.standard_error)},
                          {"interval", {e.low, e.high}},
+                         {"profile", profile_json(e)},
                          {"identifiability", name_of(e.identifiability)},
                          {"verdict", e.verdict}});
   return {{"estimates", estimates},
@@ -105,9 +116,14 @@ Json to_json(const CalibrationResult& result) {
 
 std::string to_text(const CalibrationResult& result) {
   std::string text;
-  for (const auto& e : result.estimates)
+  for (const auto& e : result.estimates) {
     text += fmt::format("{:<28}{:.6g} {}  [{:.6g}, {:.6g}]  {}\n", e.name, e.value, e.unit, e.low,
                         e.high, e.verdict);
+    if (e.profile)
+      text += fmt::format("{:<28}by likelihood ratio {}{:.6g}, {:.6g}{}\n", "",
+                          e.profile->low_closed ? "[" : "(open ", e.profile->low, e.profile->high,
+                          e.profile->high_closed ? "]" : " open)");
+  }
   text += fmt::format("{:<28}{:.6g} -> {:.6g}  ({} data, {} model runs)\n", "cost",
                       result.cost_before, result.cost_after, result.data, result.evaluations);
   text += fmt::format("{:<28}{}\n", "verdict", result.verdict);

@@ -1,34 +1,21 @@
-#include <ceres/problem.h>
-#include <ceres/solver.h>
 #include <fmt/format.h>
-#include <glog/logging.h>
 
+#include <algorithm>
 #include <cmath>
+#include <exception>
 #include <random>
 
 #include "comparisons/calibration/calibration_problem.hpp"
-#include "comparisons/calibration/differenced_cost.hpp"
+#include "comparisons/calibration/effective_residuals.hpp"
 #include "comparisons/calibration/identifiability.hpp"
+#include "comparisons/calibration/profile.hpp"
+#include "comparisons/calibration/remembered_residuals.hpp"
+#include "comparisons/calibration/search.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 
 namespace {
-
-/// Stops Ceres when the user asks, and tells how far it is.
-class Watch final : public ceres::IterationCallback {
- public:
-  Watch(const RunControl& control, int iterations) : control_(control), iterations_(iterations) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (control_.progress) control_.progress(static_cast<double>(summary.iteration) / iterations_);
-    if (control_.interrupted && control_.interrupted()) return ceres::SOLVER_ABORT;
-    return ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const RunControl& control_;
-  int iterations_;
-};
 
 void check(const CalibrationProblem& problem) {
   if (problem.parameters.empty())
@@ -52,46 +39,12 @@ double drawn_start(const CalibrationParameter& p, std::mt19937_64& generator) {
   return p.lowest + u * (p.highest - p.lowest);
 }
 
-struct Attempt {
-  std::vector<double> y;
-  double cost = 0.0;
-  bool converged = false;
-  bool interrupted = false;
-};
-
-Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
-                    DifferencedCost& cost, const RunControl& control) {
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem search(ownership);
-  search.AddResidualBlock(&cost, nullptr, y.data());
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const auto& p = problem.parameters[i];
-    search.SetParameterLowerBound(y.data(), static_cast<int>(i), p.lowest / p.scale);
-    search.SetParameterUpperBound(y.data(), static_cast<int>(i), p.highest / p.scale);
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = problem.controls.iterations;
-  options.function_tolerance = problem.controls.cost_tolerance;
-  options.parameter_tolerance = 1e-10;
-  options.num_threads = 1;
-  Watch watch(control, problem.controls.iterations);
-  options.callbacks.push_back(&watch);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &search, &summary);
-  if (cost.failure()) std::rethrow_exception(cost.failure());
-  return {std::move(y), summary.final_cost, summary.termination_type == ceres::CONVERGENCE,
-          summary.termination_type == ceres::USER_FAILURE};
-}
-
 Optimum surroundings(const Attempt& best, const DifferencedCost& cost) {
   const auto rows = static_cast<Eigen::Index>(cost.num_residuals());
   const auto columns = static_cast<Eigen::Index>(best.y.size());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(rows, columns);
   Optimum optimum{Eigen::Map<const Eigen::VectorXd>(best.y.data(), columns),
-                  Eigen::VectorXd(rows), {}};
+                  Eigen::VectorXd(rows), {}, {}};
   const double* at[] = {best.y.data()};
   double* out[] = {jacobian.data()};
   if (!cost.Evaluate(at, optimum.residuals.data(), out)) {
@@ -99,44 +52,135 @@ Optimum surroundings(const Attempt& best, const DifferencedCost& cost) {
     throw Error(ExitCode::solver_failed, "the model has no answer around the estimates");
   }
   optimum.jacobian = jacobian;
+  for (std::size_t j = 0; j < best.y.size(); ++j) optimum.at_edge.push_back(cost.at_edge(j));
   return optimum;
+}
+
+double half_square(const std::vector<double>& r) {
+  double sum = 0.0;
+  for (double one : r) sum += 0.5 * one * one;
+  return sum;
+}
+
+std::vector<double> start_of(const CalibrationProblem& problem) {
+  std::vector<double> start;
+  for (const auto& p : problem.parameters) start.push_back(p.start);
+  return start;
+}
+
+/// Best of the searches from the given start and from seeded ones.
+Attempt best_attempt(const CalibrationProblem& problem, DifferencedCost& cost,
+                     const RunControl& control) {
+  std::mt19937_64 generator(problem.controls.seed);
+  Attempt best;
+  for (int k = 0; k < std::max(1, problem.controls.starts); ++k) {
+    std::vector<double> y;
+    for (const auto& p : problem.parameters)
+      y.push_back((k == 0 ? p.start : drawn_start(p, generator)) / p.scale);
+    const Attempt attempt = search_from(std::move(y), problem, cost, control);
+    if (attempt.interrupted)
+      throw Error(ExitCode::interrupted, "the calibration was interrupted before it ended");
+    // A drawn start where the model has no answer ends at once, unconverged.
+    if (k == 0 || (attempt.converged && attempt.cost < best.cost)) best = attempt;
+  }
+  return best;
+}
+
+/// The fit of one set of residuals, without profiles.
+CalibrationResult fit(const CalibrationProblem& problem, const std::vector<double>& first,
+                      const RunControl& control) {
+  CalibrationResult result;
+  result.cost_before = half_square(first);
+  DifferencedCost cost(problem, static_cast<int>(first.size()));
+  const Attempt best = best_attempt(problem, cost, control);
+  result.cost_after = best.cost;
+  result.converged = best.converged;
+  assess(problem, surroundings(best, cost), result);
+  result.evaluations = cost.evaluations() + 1;
+  return result;
+}
+
+/// The problem started from a fit's estimates.
+CalibrationProblem restarted(CalibrationProblem problem, const CalibrationResult& from) {
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+    auto& p = problem.parameters[i];
+    p.start = std::clamp(from.estimates[i].value, p.lowest, p.highest);
+  }
+  return problem;
+}
+
+/// Fit with the robust loss. Where the noise is unknown it is measured on the
+/// residuals, first of the ordinary fit, which wrong data have spoilt, then of
+/// each robust one, until it settles.
+CalibrationResult fit_robustly(CalibrationProblem& problem, std::size_t data,
+                               const CalibrationResult& ordinary, const RunControl& control) {
+  const CalibrationProblem plain = problem;
+  const bool known = problem.noise == NoiseKnowledge::known;
+  CalibrationResult result = ordinary;
+  double last = 0.0;
+  for (int round = 0; round < (known ? 1 : 20); ++round) {
+    problem = restarted(plain, result);
+    std::vector<double> residuals = problem.residuals(start_of(problem));
+    residuals.resize(data);
+    const double noise = known ? 1.0 : robust_deviation(std::move(residuals));
+    // An exact fit has no wrong data.
+    if (!(noise > 0.0) || std::abs(noise - last) <= 1e-3 * noise) break;
+    problem = with_loss(problem, data, problem.controls.loss_scale * noise);
+    result = fit(problem, problem.residuals(start_of(problem)), control);
+    last = noise;
+  }
+  if (last > 0.0)
+    problem = with_loss(restarted(plain, result), data, problem.controls.loss_scale * last);
+  result.cost_before = ordinary.cost_before;
+  return result;
+}
+
+CalibrationResult fit_all(CalibrationProblem problem, const std::vector<double>& first,
+                          std::size_t data, const RunControl& control) {
+  CalibrationResult result = fit(problem, first, control);
+  if (problem.controls.loss != RobustLoss::none)
+    result = fit_robustly(problem, data, result, control);
+  // A fit down to rounding leaves no noise to estimate a likelihood by.
+  const bool exact = problem.noise == NoiseKnowledge::estimated &&
+                     result.cost_after <= 1e-12 * result.cost_before;
+  if (problem.controls.profiles == Profiles::each_parameter && !exact && result.converged) {
+    for (std::size_t i = 0; i < problem.parameters.size(); ++i) {
+      result.estimates[i].profile = profile_of(problem, result, i, control);
+      judge_profile(problem, i, result);
+    }
+    result.warnings.clear();
+    conclude(problem, result);
+  }
+  result.data = static_cast<int>(data);
+  return result;
 }
 
 }  // namespace
 
 CalibrationResult calibrate(const CalibrationProblem& problem, const RunControl& control) {
   check(problem);
-  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
-  std::vector<double> start;
-  for (const auto& p : problem.parameters) start.push_back(p.start);
-  const std::vector<double> first = problem.residuals(start);
+  const std::vector<double> start = start_of(problem);
+  CalibrationProblem whole = with_priors(problem);
+  const std::vector<double> first = whole.residuals(start);
+  const auto priors = std::count_if(problem.parameters.begin(), problem.parameters.end(),
+                                    [](const auto& p) { return p.prior.has_value(); });
+  const std::size_t data = first.size() - static_cast<std::size_t>(priors);
   if (first.size() < start.size())
     throw Error(ExitCode::bad_input, "fewer data than parameters: nothing can be calibrated");
-  CalibrationResult result;
-  for (double r : first) result.cost_before += 0.5 * r * r;
-  if (!std::isfinite(result.cost_before))
+  if (!std::isfinite(half_square(first)))
     throw Error(ExitCode::bad_input, "the residuals at the start are not finite");
+  if (problem.controls.checkpoint.empty()) return fit_all(std::move(whole), first, data, control);
 
-  DifferencedCost cost(problem, static_cast<int>(first.size()));
-  std::mt19937_64 generator(problem.controls.seed);
-  Attempt best;
-  for (int k = 0; k < std::max(1, problem.controls.starts) && !best.interrupted; ++k) {
-    std::vector<double> y;
-    for (const auto& p : problem.parameters)
-      y.push_back((k == 0 ? p.start : drawn_start(p, generator)) / p.scale);
-    const Attempt attempt = search_from(std::move(y), problem, cost, control);
-    // A drawn start where the model has no answer ends at once, unconverged.
-    if (k == 0 || attempt.interrupted || (attempt.converged && attempt.cost < best.cost))
-      best = k > 0 && attempt.interrupted ? Attempt{best.y, best.cost, best.converged, true}
-                                          : attempt;
+  RememberedResiduals memory(whole, first);
+  whole.residuals = [&memory](const std::vector<double>& x) { return memory(x); };
+  try {
+    CalibrationResult result = fit_all(whole, first, data, control);
+    memory.save();
+    return result;
+  } catch (...) {
+    memory.save();
+    throw;
   }
-  if (best.interrupted)
-    throw Error(ExitCode::interrupted, "the calibration was interrupted before it ended");
-  result.cost_after = best.cost;
-  result.converged = best.converged;
-  assess(problem, surroundings(best, cost), result);
-  result.evaluations = cost.evaluations() + 1;
-  return result;
 }
 
 }  // namespace rebound

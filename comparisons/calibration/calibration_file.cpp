@@ -18,6 +18,11 @@ void describe_law_request(Visitor& visit, LawRequest& request) {
                .sentence = "Parameters with a default that are fitted too, e.g. [\"exponent\"].",
                .presence = Presence::optional},
               request.free);
+  visit.texts({.name = "per_speed",
+               .sentence = "Parameters that have a value of their own at each speed, e.g. "
+                           "[\"damping\"].",
+               .presence = Presence::optional},
+              request.per_speed);
   visit.visit_table({.name = "fixed",
                      .sentence = "Parameters that are held at a value.",
                      .presence = Presence::optional},
@@ -33,9 +38,72 @@ void describe(Visitor& visit, ReferenceFolder& reference) {
              reference.folder);
 }
 
+void describe(Visitor& visit, Nuisances& nuisances) {
+  visit.number({.name = "gain", .sentence = "Standard deviation of the force gain, as a share.",
+                .presence = Presence::optional, .range = from_to(0.0, 1.0)},
+               nuisances.gain);
+  visit.number({.name = "trigger",
+                .sentence = "Standard deviation of the delay of a record; force-time only.",
+                .presence = Presence::optional, .unit = "us", .range = at_least(0.0)},
+               nuisances.trigger);
+  visit.number({.name = "baseline", .sentence = "Standard deviation of a record's force offset.",
+                .presence = Presence::optional, .unit = "N", .range = at_least(0.0)},
+               nuisances.baseline);
+  visit.number({.name = "speed", .sentence = "Standard deviation of a stated speed, as a share.",
+                .presence = Presence::optional, .range = from_to(0.0, 0.5)},
+               nuisances.speed);
+}
+
+namespace {
+
+void describe_search(Visitor& visit, CalibrationControls& controls) {
+  visit.whole({.name = "starts",
+               .sentence = "Starting points of the search; the first comes from the traces.",
+               .presence = Presence::optional,
+               .range = from_to(1.0, 1000.0)},
+              controls.starts);
+  visit.whole({.name = "seed",
+               .sentence = "Seed of the further starting points.",
+               .presence = Presence::optional,
+               .range = at_least(0.0)},
+              controls.seed);
+  visit.number({.name = "confidence",
+                .sentence = "Confidence of the intervals.",
+                .presence = Presence::optional,
+                .range = between(0.0, 1.0)},
+               controls.confidence);
+  visit.choice<RobustLoss>({.name = "loss",
+                            .sentence = "Loss of a single residual; the robust ones keep wrong data "
+                                        "from deciding.",
+                            .presence = Presence::optional},
+                           {{"squares", RobustLoss::none},
+                            {"huber", RobustLoss::huber},
+                            {"soft-l1", RobustLoss::soft_l1},
+                            {"cauchy", RobustLoss::cauchy}},
+                           controls.loss);
+  visit.number({.name = "loss_scale",
+                .sentence = "Where a robust loss bends, in standard deviations of the noise.",
+                .presence = Presence::optional,
+                .range = above(0.0)},
+               controls.loss_scale);
+  visit.choice<Profiles>({.name = "profiles",
+                          .sentence = "Likelihood-ratio intervals beside the linearised ones.",
+                          .presence = Presence::optional},
+                         {{"none", Profiles::skipped}, {"all", Profiles::each_parameter}},
+                         controls.profiles);
+}
+
+}  // namespace
+
 void describe(Visitor& visit, CalibrationFile& file) {
   describe_schema(visit);
   describe_law_request(visit, file.request);
+  visit.choice<Observable>({.name = "observable",
+                            .sentence = "The curve that is fitted.",
+                            .presence = Presence::optional},
+                           {{"force-deflection", Observable::force_deflection},
+                            {"force-time", Observable::force_time}},
+                           file.options.observable);
   visit.choice<Weighting>(
       {.name = "weighting",
        .sentence = "Where the force noise is unknown: every newton counts the same, or every "
@@ -48,21 +116,11 @@ void describe(Visitor& visit, CalibrationFile& file) {
                 .presence = Presence::optional,
                 .range = from_to(0.0, 0.5)},
                file.options.tip_margin);
-  visit.whole({.name = "starts",
-               .sentence = "Starting points of the search; the first comes from the traces.",
-               .presence = Presence::optional,
-               .range = from_to(1.0, 1000.0)},
-              file.options.controls.starts);
-  visit.whole({.name = "seed",
-               .sentence = "Seed of the further starting points.",
-               .presence = Presence::optional,
-               .range = at_least(0.0)},
-              file.options.controls.seed);
-  visit.number({.name = "confidence",
-                .sentence = "Confidence of the intervals.",
-                .presence = Presence::optional,
-                .range = between(0.0, 1.0)},
-               file.options.controls.confidence);
+  describe_search(visit, file.options.controls);
+  visit.table({.name = "nuisance",
+               .sentence = "What the instrument may have got wrong: standard deviations of priors.",
+               .presence = Presence::optional},
+              file.options.nuisances);
   visit.list({.name = "reference", .sentence = "What is calibrated to; repeat for more."},
              file.references);
 }

@@ -21,6 +21,7 @@ struct CalibrationFile {
 };
 
 void describe(Visitor& visit, ReferenceFolder& reference);
+void describe(Visitor& visit, Nuisances& nuisances);
 void describe(Visitor& visit, CalibrationFile& file);
 
 /// The members of a request, without a table of their own.

@@ -1,13 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lumped/problem/run_control.hpp"
 
 namespace rebound {
+
+/// What is known of an unknown beside the data: a normal distribution. It
+/// enters as one more residual, (value − mean)/deviation.
+struct Prior {
+  double mean = 0.0;
+  double deviation = 0.0;  ///< one standard deviation, > 0
+};
 
 /// One unknown of a calibration.
 struct CalibrationParameter {
@@ -17,6 +26,7 @@ struct CalibrationParameter {
   double lowest = 0.0;
   double highest = 0.0;
   double scale = 1.0;    ///< typical size; sets steps and the meaning of "small"
+  std::optional<Prior> prior{};  ///< needs data whose noise is known
 };
 
 /// Residuals at a parameter vector (in the order of the parameters):
@@ -31,6 +41,17 @@ enum class NoiseKnowledge {
   estimated,  ///< σ are weights only: the residual variance at the optimum sets the intervals
 };
 
+/// Loss of one residual r, so that single wrong data do not decide:
+///
+///   none      r²
+///   huber     r² up to the scale a, 2 a |r| − a² beyond
+///   soft_l1   2 a² (√(1 + (r/a)²) − 1)
+///   cauchy    a² ln(1 + (r/a)²)
+enum class RobustLoss { none, huber, soft_l1, cauchy };
+
+/// Are likelihood-ratio intervals computed beside the linearised ones?
+enum class Profiles { skipped, each_parameter };
+
 struct CalibrationControls {
   /// Differences are taken at this times the parameter's scale. The default
   /// suits models that are smooth to 1e-9; a model with discretisation ripple
@@ -43,6 +64,14 @@ struct CalibrationControls {
   int starts = 1;           ///< the given start, then seeded ones within the bounds
   std::uint64_t seed = 1;
   double confidence = 0.95; ///< of the intervals
+  RobustLoss loss = RobustLoss::none;
+  /// a in standard deviations of the noise; where that is unknown, 1.4826
+  /// times the median absolute residual stands for it.
+  double loss_scale = 2.0;
+  Profiles profiles = Profiles::skipped;
+  /// Where evaluations are kept, so that a killed calibration goes on where it
+  /// was; empty: nowhere. See remembered_residuals.hpp.
+  std::filesystem::path checkpoint{};
 };
 
 /// A whole calibration: unknowns, residuals, and what is known of the noise.
@@ -55,8 +84,19 @@ struct CalibrationProblem {
 
 enum class Identifiability {
   identified,
+  weakly_identified, ///< determined, but not well enough to be used alone
   at_bound,          ///< the optimum lies on a bound: the data want to go beyond
   not_identifiable,  ///< the data do not determine it
+};
+
+/// Values of one parameter that the data do not contradict, the others
+/// refitted at each: 2 ΔC/s² at most the χ² (or F) quantile, C = ½ Σ r².
+struct ProfileInterval {
+  double low = 0.0, high = 0.0;
+  bool low_closed = false;   ///< false: the bound of the search came first
+  bool high_closed = false;
+  std::vector<double> value; ///< points of the profile, ascending
+  std::vector<double> cost;  ///< C at them
 };
 
 /// One estimated parameter.
@@ -68,6 +108,7 @@ struct Estimate {
   double low = 0.0, high = 0.0; ///< confidence interval, cut at the bounds
   Identifiability identifiability = Identifiability::identified;
   std::string verdict;          ///< in words
+  std::optional<ProfileInterval> profile{};  ///< where asked for
 };
 
 struct CalibrationResult {
@@ -94,11 +135,15 @@ struct CalibrationResult {
 /// Valid:   independent errors of the stated sizes; intervals by linearisation.
 /// Limit:   coverage of the intervals under seeded noise, counted
 ///          -> test LawCalibrationTest.IntervalsCoverTheTruth.
+///          Likelihood-ratio intervals of a linear problem equal the linearised
+///          -> test ProfileTest.EqualsLinearisedWhereTheModelIsLinear.
 /// Caution: where the model is wrong, residuals are correlated and the
 ///          intervals too narrow; a warning says so.
 /// Errors:  Error(bad_input) for no parameters, start outside the bounds, fewer
-///          data than parameters, not-finite residuals at the start; what the
-///          residual function throws at the start.
+///          data than parameters, not-finite residuals at the start, a prior
+///          while the noise is unknown; Error(corrupt_store) for a damaged
+///          checkpoint; Error(interrupted) when asked to stop; what the residual
+///          function throws at the start.
 CalibrationResult calibrate(const CalibrationProblem& problem, const RunControl& control = {});
 
 }  // namespace rebound

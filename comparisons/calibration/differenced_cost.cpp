@@ -7,7 +7,7 @@
 namespace rebound {
 
 DifferencedCost::DifferencedCost(const CalibrationProblem& problem, int residuals)
-    : problem_(problem) {
+    : problem_(problem), edge_(problem.parameters.size(), false) {
   set_num_residuals(residuals);
   mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.parameters.size()));
 }
@@ -40,12 +40,14 @@ bool DifferencedCost::difference(std::vector<double>& y, std::size_t j,
   const auto& parameter = problem_.parameters[j];
   const double step = problem_.controls.relative_step, here = y[j];
   std::vector<double> above, below;
+  edge_[j] = false;
   const auto side = [&](double at, std::vector<double>& out) {
     if (at * parameter.scale > parameter.highest || at * parameter.scale < parameter.lowest)
       return false;
     y[j] = at;
     const bool found = residuals_at(y, out);
     y[j] = here;
+    if (!found) edge_[j] = true;
     return found;
   };
   const bool has_above = side(here + step, above), has_below = side(here - step, below);

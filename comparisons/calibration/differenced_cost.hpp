@@ -3,6 +3,7 @@
 #include <ceres/cost_function.h>
 
 #include <exception>
+#include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
 
@@ -21,6 +22,10 @@ class DifferencedCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
+  /// Did the model have an answer on one side only, the last time the
+  /// derivative by this parameter was taken?
+  bool at_edge(std::size_t parameter) const { return edge_[parameter]; }
+
   int evaluations() const { return evaluations_; }
   /// An error other than "no answer here", to be thrown once Ceres has returned.
   std::exception_ptr failure() const { return failure_; }
@@ -33,6 +38,7 @@ class DifferencedCost final : public ceres::CostFunction {
 
   const CalibrationProblem& problem_;
   mutable int evaluations_ = 0;
+  mutable std::vector<bool> edge_;
   mutable std::exception_ptr failure_;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "comparisons/calibration/law_calibration.hpp"
@@ -11,12 +10,14 @@ namespace rebound {
 /// The reference side of a force–deflection fit, prepared once.
 class ForceDeflectionResiduals {
  public:
-  /// Errors: Error(bad_input) for shots without samples or of unequal columns.
+  /// Errors: Error(bad_input) as check_reference().
   ForceDeflectionResiduals(const std::vector<ReferenceShot>& shots,
                            const LawCalibrationOptions& options);
 
-  /// Residuals of all shots, in their order; `model_of(i)` is the law for shot i.
-  std::vector<double> operator()(const std::function<LumpedModel(std::size_t)>& model_of) const;
+  /// Residuals of all shots, in their order; without `errors_of` every record
+  /// is taken as it stands.
+  std::vector<double> operator()(const ModelOfShot& model_of,
+                                 const ErrorsOfShot& errors_of = {}) const;
 
   /// known when every shot states its force uncertainty.
   NoiseKnowledge noise() const { return noise_; }
@@ -29,7 +30,7 @@ class ForceDeflectionResiduals {
     double sigma;
   };
   std::vector<Prepared> shots_;
-  NoiseKnowledge noise_ = NoiseKnowledge::known;
+  NoiseKnowledge noise_;
 };
 
 }  // namespace rebound

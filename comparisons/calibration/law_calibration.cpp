@@ -1,10 +1,11 @@
 #include "comparisons/calibration/law_calibration.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "comparisons/calibration/force_deflection_residuals.hpp"
-#include "comparisons/config/units.hpp"
+#include "comparisons/calibration/force_time_residuals.hpp"
+#include "comparisons/calibration/law_unknowns.hpp"
+#include "comparisons/calibration/reference_checks.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/error.hpp"
@@ -12,44 +13,6 @@
 namespace rebound {
 
 namespace {
-
-double peak_of(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
-
-const ParameterCard& card_of(const LawCard& law, const std::string& name) {
-  for (const auto& p : law.parameters)
-    if (p.name == name) return p;
-  throw Error(ExitCode::bad_input, "law '" + law.name + "' has no parameter '" + name + "'",
-              {.key = name, .value = "", .allowed = "a parameter of the law"});
-}
-
-/// First guess from the fastest trace by dimension: force is counted in its
-/// peak, length in its peak deflection, speed in its approach speed.
-double guess_of(const ParameterCard& card, const ParameterValues& values,
-                const ReferenceShot& shot) {
-  if (card.default_value) return *card.default_value;
-  const Dimension d = card.dimension(values);
-  if (d == dimension::none) return 0.5;
-  const double force = peak_of(shot.trace.force), x = peak_of(shot.trace.deflection);
-  // kg m/s² to the power a, m to the power b, m/s to the power c.
-  const double a = d.kilogram, c = -(d.second + 2.0 * a), b = d.metre - a - c;
-  const double size = std::pow(force, a) * std::pow(x, b) * std::pow(shot.impact.speed, c);
-  return c == 0.0 ? size : size / 3.0;
-}
-
-/// Bounds four decades around the guess, within the card's range.
-CalibrationParameter unknown(const ParameterCard& card, const ParameterValues& values,
-                             double guess) {
-  const bool number = card.dimension(values) == dimension::none;
-  CalibrationParameter p{.name = card.name, .unit = unit_name(card.dimension(values)),
-                         .start = guess,
-                         .lowest = number ? card.lowest : guess * 1e-4,
-                         .highest = number ? card.highest : guess * 1e4,
-                         .scale = guess};
-  if (number && !card.lowest_allowed) p.lowest += 1e-3;
-  return p;
-}
 
 /// Parameters that belong to one speed; repeated shots at a speed share their
 /// mean, since a law can have one value there only.
@@ -74,10 +37,18 @@ class PerSpeed {
   std::vector<std::pair<ParametersAtSpeed, int>> entries_;
 };
 
-const ReferenceShot& fastest(const std::vector<ReferenceShot>& shots) {
-  return *std::max_element(shots.begin(), shots.end(), [](const auto& a, const auto& b) {
-    return a.impact.speed < b.impact.speed;
-  });
+/// Restitution of 1 or more leaves nothing to damp, and is a fault of the data.
+void check_for_formula(const std::vector<ReferenceShot>& shots,
+                       const LawCalibrationOptions& options) {
+  if (options.observable != Observable::force_deflection || options.nuisances.any())
+    throw Error(ExitCode::bad_input,
+                "a damping formula is fitted to force over deflection, without nuisances",
+                {.key = "damping_formula", .value = "", .allowed = "leave out observable and nuisance"});
+  for (const auto& shot : shots)
+    if (!(shot.scalars.restitution > 0.0 && shot.scalars.restitution < 1.0))
+      throw Error(ExitCode::bad_input, "a damping formula needs restitutions between 0 and 1",
+                  {.key = "restitution", .value = std::to_string(shot.scalars.restitution),
+                   .allowed = "0 < e < 1"});
 }
 
 }  // namespace
@@ -87,6 +58,7 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
                                        const LawCalibrationOptions& options,
                                        const RunControl& control) {
   const ForceDeflectionResiduals residuals(shots, options);
+  check_for_formula(shots, options);
   const auto model_at = [&](double stiffness, std::size_t i) {
     LumpedModel model;
     model.law = "hunt-crossley";
@@ -97,7 +69,7 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
   };
   const ParameterCard& card = card_of(find_law("hunt-crossley"), "stiffness");
   CalibrationProblem problem;
-  problem.parameters = {unknown(card, {}, guess_of(card, {}, fastest(shots)))};
+  problem.parameters = {law_unknown(card, {}, fastest(shots))};
   problem.residuals = [&](const std::vector<double>& x) {
     return residuals([&](std::size_t i) { return model_at(x[0], i); });
   };
@@ -135,64 +107,76 @@ LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
   return model;
 }
 
+namespace {
+
+LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<ReferenceShot>& shots,
+                                  const LawCalibrationOptions& options, const RunControl& control) {
+  const NuisanceUnknowns nuisances(options.nuisances, shots.size());
+  const bool over_time = options.observable == Observable::force_time;
+  if (options.nuisances.trigger > 0.0 && !over_time)
+    throw Error(ExitCode::bad_input, "a trigger delay shows in force over time only",
+                {.key = "nuisance.trigger", .value = "", .allowed = "observable = \"force-time\""});
+  CalibrationProblem problem;
+  problem.parameters = law.parameters();
+  problem.parameters.insert(problem.parameters.end(), nuisances.parameters().begin(),
+                            nuisances.parameters().end());
+  problem.controls = options.controls;
+  const auto solve = [&](const auto& residuals) {
+    problem.noise = residuals.noise();
+    problem.residuals = [&](const std::vector<double>& x) {
+      return residuals([&](std::size_t i) { return law.model_for(x, i); },
+                       [&](std::size_t i) { return nuisances.errors(x, i); });
+    };
+    return calibrate(problem, control);
+  };
+  LawCalibration calibration;
+  calibration.fit = over_time ? solve(ForceTimeResiduals(shots, options))
+                              : solve(ForceDeflectionResiduals(shots, options));
+  std::vector<double> estimates;
+  for (const auto& e : calibration.fit.estimates) estimates.push_back(e.value);
+  calibration.model = law.model(estimates);
+  return calibration;
+}
+
+/// Shots are looked at before unknowns are guessed from them.
+void check_shots(const std::vector<ReferenceShot>& shots) {
+  noise_of(shots);
+  for (const auto& shot : shots) check_reference(shot);
+}
+
+}  // namespace
+
 LawCalibration calibrate_law(const std::string& law, const std::vector<ReferenceShot>& shots,
                              const ParameterValues& fixed,
                              const std::vector<std::string>& also_free,
                              const LawCalibrationOptions& options, const RunControl& control) {
-  const ForceDeflectionResiduals residuals(shots, options);
-  const LawCard& card = find_law(law);
-  for (const auto& [name, value] : fixed) card_of(card, name);
-  for (const auto& name : also_free) card_of(card, name);
-  CalibrationProblem problem;
-  ParameterValues values = fixed;
-  for (const auto& p : card.parameters) {
-    const bool named = std::find(also_free.begin(), also_free.end(), p.name) != also_free.end();
-    if (fixed.contains(p.name) || (p.default_value && !named)) continue;
-    values[p.name] = guess_of(p, values, fastest(shots));
-    problem.parameters.push_back(unknown(p, values, values[p.name]));
-  }
-  if (problem.parameters.empty())
-    throw Error(ExitCode::bad_input, "every parameter of '" + law + "' is fixed: nothing to fit");
-
-  LawCalibration calibration;
-  calibration.model.law = law;
-  const auto model_of = [&](const std::vector<double>& x) {
-    LumpedModel model;
-    model.law = law;
-    model.parameters = fixed;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      model.parameters[problem.parameters[i].name] = x[i];
-    return model;
-  };
-  problem.residuals = [&](const std::vector<double>& x) {
-    const LumpedModel model = model_of(x);
-    return residuals([&](std::size_t) { return model; });
-  };
-  problem.noise = residuals.noise();
-  problem.controls = options.controls;
-  calibration.fit = calibrate(problem, control);
-  std::vector<double> estimates;
-  for (const auto& e : calibration.fit.estimates) estimates.push_back(e.value);
-  calibration.model = model_of(estimates);
-  return calibration;
+  check_shots(shots);
+  return calibrate_unknowns(
+      LawUnknowns(law, shots, {.fixed = fixed, .also_free = also_free, .per_speed = {}}), shots,
+      options, control);
 }
 
 LawCalibration calibrate(const LawRequest& request, const std::vector<ReferenceShot>& shots,
                          const LawCalibrationOptions& options, const RunControl& control) {
-  if (request.damping_formula.empty())
-    return calibrate_law(request.law, shots, request.fixed, request.free, options, control);
+  if (request.damping_formula.empty()) {
+    check_shots(shots);
+    return calibrate_unknowns(LawUnknowns(request.law, shots,
+                                          {.fixed = request.fixed, .also_free = request.free,
+                                           .per_speed = request.per_speed}),
+                              shots, options, control);
+  }
   const bool equivalent = request.law == "equivalent-kelvin-voigt";
   if (!equivalent && request.law != "hunt-crossley")
     throw Error(ExitCode::bad_input,
                 "a damping formula calibrates hunt-crossley or equivalent-kelvin-voigt only",
                 {.key = "damping_formula", .value = request.damping_formula,
                  .allowed = "leave it out, or another law"});
-  if (!request.fixed.empty() || !request.free.empty())
+  if (!request.fixed.empty() || !request.free.empty() || !request.per_speed.empty())
     throw Error(ExitCode::bad_input,
                 "with a damping formula only the stiffness is fitted; nothing else may be fixed "
                 "or free",
                 {.key = "damping_formula", .value = request.damping_formula,
-                 .allowed = "leave out fixed and free, or the formula"});
+                 .allowed = "leave out fixed, free and per_speed, or the formula"});
   LawCalibration calibration =
       calibrate_hunt_crossley(shots, request.damping_formula, options, control);
   if (equivalent) calibration.model = linearise_at_mean_deflection(calibration.model, shots);

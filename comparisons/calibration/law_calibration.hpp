@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/calibration/nuisances.hpp"
 #include "comparisons/calibration/reference_shot.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -19,7 +21,15 @@ enum class Weighting {
   of_peak,   ///< every trace counts the same: forces over its own peak
 };
 
+/// Which curve of the reference is fitted.
+enum class Observable {
+  force_deflection,  ///< needs no common clock; the reference's deflection is believed
+  force_time,        ///< needs no deflection; the record's start may be a nuisance
+};
+
 struct LawCalibrationOptions {
+  Observable observable = Observable::force_deflection;
+  Nuisances nuisances{};  ///< need shots of known force uncertainty
   Weighting weighting = Weighting::absolute;
   /// Samples within this share of the largest deflection are left out: a force–
   /// deflection curve is vertical at its turning point, where the smallest
@@ -34,6 +44,10 @@ struct LawCalibration {
   CalibrationResult fit;
 };
 
+/// The law for a shot, and what its record may have got wrong, by its index.
+using ModelOfShot = std::function<LumpedModel(std::size_t)>;
+using ErrorsOfShot = std::function<RecordErrors(std::size_t)>;
+
 /// One stiffness κ over all shots; the damping of each shot follows from its
 /// restitution by the formula, λ = p(e) κ/v₀, as the sliotar paper did with
 /// formula "hunt-crossley" (its Eq. (8)); "exact" repairs what that formula
@@ -43,7 +57,8 @@ struct LawCalibration {
 /// shots repeat a speed.
 /// Limit:  recovers κ of synthesised traces -> test LawCalibrationTest.RecoversStiffness.
 /// Errors: Error(bad_input) for no shots, shots without samples, restitution
-///         outside (0, 1], an unknown formula.
+///         outside (0, 1), an unknown formula, nuisances or another curve
+///         than force over deflection.
 LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
                                        const std::string& damping_formula,
                                        const LawCalibrationOptions& options = {},
@@ -62,6 +77,8 @@ LumpedModel linearise_at_mean_deflection(const LumpedModel& hunt_crossley,
 /// Starts come from the traces by dimension alone: a stiffness as peak force
 /// over peak deflection to its power, a damping as a third of that over the
 /// approach speed.
+/// Limit:  nuisances hidden in a record are found and do not move the law's
+///         parameters -> test NuisanceTest.AreFoundAndSpareTheLaw.
 /// Errors: Error(bad_input) as above, or for nothing left to fit.
 LawCalibration calibrate_law(const std::string& law, const std::vector<ReferenceShot>& shots,
                              const ParameterValues& fixed,
@@ -78,6 +95,7 @@ struct LawRequest {
   std::string damping_formula;
   ParameterValues fixed;
   std::vector<std::string> free;  ///< parameters with a default that are to be fitted as well
+  std::vector<std::string> per_speed;  ///< parameters with a value of their own at each speed
 };
 
 /// Whichever of the above the request means.

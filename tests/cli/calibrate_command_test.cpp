@@ -41,6 +41,27 @@ TEST_F(CalibrateCommand, UnidentifiableIsSaid) {
   EXPECT_TRUE(json["estimates"][0]["standard_error"].is_null());
 }
 
+TEST_F(CalibrateCommand, ProfilesAndNuisancesAreOnRequest) {
+  folder.write("calibrate.toml",
+               "schema = 1\nlaw = \"linear-kelvin-voigt\"\nprofiles = \"all\"\nloss = \"huber\"\n"
+               "observable = \"force-time\"\n" + references_);
+  const auto json = json_of(rebound({"calibrate", "calibrate.toml", "--json", "--out", "found"}));
+  EXPECT_EQ(json["estimates"][0]["profile"]["closed"][0], true);
+  EXPECT_LT(json["estimates"][0]["profile"]["interval"][0].get<double>(),
+            json["estimates"][0]["value"].get<double>());
+  EXPECT_FALSE(there("found/checkpoint.json"));
+  folder.write("nuisance.toml", "schema = 1\nlaw = \"linear-kelvin-voigt\"\n[nuisance]\ngain = 0.03\n" +
+                                    references_);
+  EXPECT_EQ(rebound({"calibrate", "nuisance.toml"}).exit_code, 2);  // noise unknown
+}
+
+TEST_F(CalibrateCommand, ADamagedCheckpointIsCorrupt) {
+  folder.write("calibrate.toml", "schema = 1\nlaw = \"hunt-crossley\"\n" + references_);
+  std::filesystem::create_directory(folder.path() / "found");
+  folder.write("found/checkpoint.json", "{\"schema\": 1, \"sha");
+  EXPECT_EQ(rebound({"calibrate", "calibrate.toml", "--out", "found"}).exit_code, 5);
+}
+
 TEST_F(CalibrateCommand, BenchmarkScoresLawsOnTheReference) {
   folder.write("benchmark.toml",
                "schema = 1\n[[law]]\nlabel = \"the same\"\nfile = \"impact.toml\"\n"

@@ -1,0 +1,71 @@
+#include "comparisons/calibration/effective_residuals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+namespace {
+
+double softened(double r, RobustLoss loss, double a) {
+  const double s = r / a;
+  switch (loss) {
+    case RobustLoss::none: return r;
+    case RobustLoss::huber:
+      return std::abs(s) <= 1.0 ? r : std::copysign(a * std::sqrt(2.0 * std::abs(s) - 1.0), r);
+    case RobustLoss::soft_l1: {
+      // √(1+s²) − 1 written without cancellation.
+      const double grown = s * s / (std::sqrt(1.0 + s * s) + 1.0);
+      return std::copysign(a * std::sqrt(2.0 * grown), r);
+    }
+    case RobustLoss::cauchy: return std::copysign(a * std::sqrt(std::log1p(s * s)), r);
+  }
+  return r;
+}
+
+}  // namespace
+
+CalibrationProblem with_priors(const CalibrationProblem& problem) {
+  const auto& parameters = problem.parameters;
+  const bool any = std::any_of(parameters.begin(), parameters.end(),
+                               [](const auto& p) { return p.prior.has_value(); });
+  if (!any) return problem;
+  if (problem.noise != NoiseKnowledge::known)
+    throw Error(ExitCode::bad_input,
+                "a prior can be weighed against data of known noise only: state the force noise");
+  for (const auto& p : parameters)
+    if (p.prior && !(p.prior->deviation > 0.0))
+      throw Error(ExitCode::bad_input, "the prior of '" + p.name + "' has no width",
+                  {.key = p.name, .value = std::to_string(p.prior->deviation), .allowed = "> 0"});
+  CalibrationProblem whole = problem;
+  whole.residuals = [parameters, data = problem.residuals](const std::vector<double>& x) {
+    std::vector<double> r = data(x);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (const auto& prior = parameters[i].prior)
+        r.push_back((x[i] - prior->mean) / prior->deviation);
+    return r;
+  };
+  return whole;
+}
+
+CalibrationProblem with_loss(const CalibrationProblem& problem, std::size_t data, double scale) {
+  CalibrationProblem softer = problem;
+  softer.residuals = [inner = problem.residuals, loss = problem.controls.loss, data,
+                      scale](const std::vector<double>& x) {
+    std::vector<double> r = inner(x);
+    for (std::size_t i = 0; i < std::min(data, r.size()); ++i) r[i] = softened(r[i], loss, scale);
+    return r;
+  };
+  return softer;
+}
+
+double robust_deviation(std::vector<double> residuals) {
+  for (double& r : residuals) r = std::abs(r);
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return 1.4826 * *middle;
+}
+
+}  // namespace rebound

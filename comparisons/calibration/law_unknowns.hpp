@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/calibration/reference_shot.hpp"
+#include "lumped/laws/law_card.hpp"
+#include "lumped/problem/lumped_problem.hpp"
+
+namespace rebound {
+
+/// A parameter of a law by its name. Errors: Error(bad_input) for none.
+const ParameterCard& card_of(const LawCard& law, const std::string& name);
+
+/// A parameter as an unknown: first guess from a trace by dimension (force in
+/// its peak, length in its peak deflection, speed in its approach speed; a
+/// third of that for what damps), bounds four decades around.
+/// `values` are those of the law's other parameters, which may set its unit.
+CalibrationParameter law_unknown(const ParameterCard& card, const ParameterValues& values,
+                                 const ReferenceShot& shot);
+
+/// The shot with the highest approach speed.
+const ReferenceShot& fastest(const std::vector<ReferenceShot>& shots);
+
+/// Which parameters of a law are searched for, and how a vector of them makes
+/// a model: shared ones have one value, per-speed ones one at each approach
+/// speed among the shots.
+class LawUnknowns {
+ public:
+  struct Choice {
+    ParameterValues fixed;
+    std::vector<std::string> also_free;  ///< parameters with a default, freed
+    std::vector<std::string> per_speed;  ///< freed, with a value for each speed
+  };
+
+  /// Errors: Error(bad_input) for unknown names, a parameter both fixed and
+  ///         free, or nothing left to fit.
+  LawUnknowns(const std::string& law, const std::vector<ReferenceShot>& shots,
+              const Choice& choice);
+
+  const std::vector<CalibrationParameter>& parameters() const { return parameters_; }
+  /// The whole model, with at_speed entries where parameters go by speed.
+  LumpedModel model(const std::vector<double>& x) const;
+  /// The model as it is for one shot, without at_speed entries.
+  LumpedModel model_for(const std::vector<double>& x, std::size_t shot) const;
+
+ private:
+  struct Unknown {
+    std::string name;
+    int speed = -1;  ///< index into speeds_; -1: shared
+  };
+
+  void add(const ParameterCard& card, bool per_speed, const std::vector<ReferenceShot>& shots);
+
+  std::string law_;
+  ParameterValues fixed_;
+  ParameterValues guessed_;
+  std::vector<double> speeds_;       ///< distinct, in order of appearance
+  std::vector<int> speed_of_shot_;
+  std::vector<Unknown> unknowns_;
+  std::vector<CalibrationParameter> parameters_;
+};
+
+}  // namespace rebound

@@ -1,0 +1,58 @@
+#include "comparisons/calibration/search.hpp"
+
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <glog/logging.h>
+
+#include <exception>
+
+namespace rebound {
+
+namespace {
+
+/// Stops Ceres when the user asks, and tells how far it is.
+class Watch final : public ceres::IterationCallback {
+ public:
+  Watch(const RunControl& control, int iterations) : control_(control), iterations_(iterations) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (control_.progress) control_.progress(static_cast<double>(summary.iteration) / iterations_);
+    if (control_.interrupted && control_.interrupted()) return ceres::SOLVER_ABORT;
+    return ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const RunControl& control_;
+  int iterations_;
+};
+
+}  // namespace
+
+Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
+                    DifferencedCost& cost, const RunControl& control) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem search(ownership);
+  search.AddResidualBlock(&cost, nullptr, y.data());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const auto& p = problem.parameters[i];
+    search.SetParameterLowerBound(y.data(), static_cast<int>(i), p.lowest / p.scale);
+    search.SetParameterUpperBound(y.data(), static_cast<int>(i), p.highest / p.scale);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = problem.controls.iterations;
+  options.function_tolerance = problem.controls.cost_tolerance;
+  options.parameter_tolerance = 1e-10;
+  options.num_threads = 1;
+  Watch watch(control, problem.controls.iterations);
+  options.callbacks.push_back(&watch);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &search, &summary);
+  if (cost.failure()) std::rethrow_exception(cost.failure());
+  return {std::move(y), summary.final_cost, summary.termination_type == ceres::CONVERGENCE,
+          summary.termination_type == ceres::USER_FAILURE};
+}
+
+}  // namespace rebound
