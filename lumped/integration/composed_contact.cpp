@@ -176,9 +176,13 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
     case Event::separated:
       return setup_.separation == SeparationRule::zero_force ? left
                                                              : centre_of_mass_deflection(phase, y);
-    case Event::touching:
+    case Event::touching: {
+      // Clear of the zero at which they parted, or rounding would close it again.
+      constexpr double clearance = 1e-6;
       return std::min(forces(phase, y).without_adhesion() / peak_force_,
-                      left / scales_.deflection);
+                      left / scales_.deflection) -
+             clearance;
+    }
     case Event::gone: {
       double reach = y[velocity] < 0.0 ? centre_of_mass_deflection(phase, y) : scales_.deflection;
       if (plate_.moves())

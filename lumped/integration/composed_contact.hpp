@@ -69,7 +69,7 @@ class ComposedContact {
   Watches watches(const Phase& phase) const;
   /// Turning: rate of approach. Reloading: approach past the largest. Released:
   /// force without adhesion. Separated: deflection left. Touching: the lesser
-  /// of both. Gone: reach of the ringing parts beyond first touch.
+  /// of both, a millionth of its scale above zero. Gone: reach of the ringing parts beyond first touch.
   double indicator(Event event, const Phase& phase, const State& y) const;
 
   /// The phase after `event`, its energy step booked in y; nothing at the end.

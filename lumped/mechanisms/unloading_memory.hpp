@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "lumped/problem/mechanisms.hpp"
 
 /// Elastic force below the largest deflection so far, x_max.
@@ -27,10 +29,11 @@ inline double remaining_deflection(const UnloadingMemory& memory, double x, doub
   return p == 0.0 ? x : (x - p * largest) / (1.0 - p);
 }
 
-/// Factor on the elastic force at the remaining deflection η.
+/// Factor on the elastic force at the remaining deflection η; even in η, as laws
+/// are continued oddly below zero.
 inline double hysteresis_factor(const UnloadingMemory& memory, double remaining, double largest) {
   if (memory.hysteresis == 0.0 || largest <= 0.0) return 1.0;
-  return 1.0 - memory.hysteresis * (1.0 - remaining / largest);
+  return 1.0 - memory.hysteresis * (1.0 - std::abs(remaining) / largest);
 }
 
 }  // namespace rebound
