@@ -30,6 +30,19 @@ void trace_cvode(benchmark::State& state) {
 }
 BENCHMARK(trace_cvode)->Unit(benchmark::kMicrosecond);
 
+/// 400 samples at 1e-8 of the law with a set, a relaxing branch and a plate on
+/// its load cell.
+void trace_composed(benchmark::State& state) {
+  auto problem = problem_at(1e-8);
+  problem.controls.samples = 400;
+  Mechanisms& mechanisms = problem.model.mechanisms;
+  mechanisms.memory.permanent_set = 0.05;
+  mechanisms.relaxation = {.ratio = 0.3, .relaxation_time = 1e-3};
+  mechanisms.plate.stiffness = 50e6;
+  for (auto _ : state) benchmark::DoNotOptimize(simulate_fast(problem));
+}
+BENCHMARK(trace_composed)->Unit(benchmark::kMicrosecond);
+
 /// The integrator alone, at 1e-6, 1e-8, 1e-10: with samples, and end only.
 void integrator(benchmark::State& state, bool samples) {
   const HuntCrossley law{.stiffness = 3.5e6, .damping = 17.63e4, .power = Power(1.5)};

@@ -33,6 +33,33 @@ TEST_F(LumpedCommandTest, TheEffectiveConfigurationGivesTheSameTraceBitForBit) {
   EXPECT_EQ(json["provenance"]["input_sha256"].get<std::string>().size(), 64u);
 }
 
+TEST_F(LumpedCommandTest, EffectsStayEffectsInTheEffectiveConfiguration) {
+  folder.write("a.toml", lumped_file + R"([[model.effect]]
+name = "permanent-set"
+size = 0.05
+[[model.effect]]
+name = "plate-compliance"
+size = "0.02 um/N"
+)");
+  ASSERT_EQ(rebound({"lumped", "a.toml", "--out", "one"}).exit_code, 0);
+  ASSERT_EQ(rebound({"lumped", "one/effective.toml", "--out", "two"}).exit_code, 0);
+  const std::string effective = read_whole(folder.path() / "one/effective.toml");
+  EXPECT_NE(effective.find("[[model.effect]]\nname = \"permanent-set\"\nsize = 0.05\n"),
+            std::string::npos);
+  EXPECT_EQ(effective.find("[model.plate]"), std::string::npos);
+  const std::string trace = read_whole(folder.path() / "one/trace.csv");
+  EXPECT_TRUE(trace.starts_with("time_s,force_N,deflection_m,contact_force_N\n"));
+  EXPECT_EQ(trace, read_whole(folder.path() / "two/trace.csv"));
+}
+
+TEST_F(LumpedCommandTest, AFaultOfTheMeasurementIsSentToSynthesize) {
+  folder.write("a.toml",
+               lumped_file + "[[model.effect]]\nname = \"bandwidth\"\nsize = \"10 kHz\"\n");
+  const Outcome outcome = rebound({"lumped", "a.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("synthesize"), std::string::npos) << outcome.errors;
+}
+
 TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {
   // Overdamped Kelvin-Voigt, c = 1000 > 2 sqrt(k m) = 268: x never returns to zero.
   std::string text = replaced(lumped_file, "hunt-crossley", "linear-kelvin-voigt");
