@@ -6,6 +6,8 @@
 #include "lumped/integration/contact_end.hpp"
 #include "lumped/integration/contact_scales.hpp"
 #include "lumped/mechanisms/elastic_force.hpp"
+#include "lumped/mechanisms/internal_mode.hpp"
+#include "lumped/mechanisms/moving_plate.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 #include "lumped/problem/result.hpp"
 
@@ -83,6 +85,10 @@ class ComposedContact {
     double without_adhesion() const { return elastic + branch + damping; }
     double contact() const { return without_adhesion() + adhesion; }
   };
+  static PlateMotion plate_motion(const State& y) {
+    return {y[plate_displacement], y[plate_velocity]};
+  }
+  static ModeMotion mode_motion(const State& y) { return {y[mode_displacement], y[mode_velocity]}; }
   double closing_speed(const State& y) const;
   double approach_rate(const Phase& phase, const State& y) const;
   Forces forces(const Phase& phase, const State& y) const;
