@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "lumped/problem/error.hpp"
@@ -28,16 +29,23 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energie
   struct Energy {
     const char* name;
     double EnergyBook::*member;
+    bool always;  ///< the others only where the plate moves or gravity acts
   };
   constexpr Energy columns[] = {
-      {"kinetic_centre_of_mass_J", &EnergyBook::kinetic_centre_of_mass},
-      {"kinetic_vibration_J", &EnergyBook::kinetic_vibration},
-      {"stored_J", &EnergyBook::stored},
-      {"branches_J", &EnergyBook::branches},
-      {"contact_constraint_J", &EnergyBook::contact_constraint},
+      {"kinetic_centre_of_mass_J", &EnergyBook::kinetic_centre_of_mass, true},
+      {"kinetic_vibration_J", &EnergyBook::kinetic_vibration, true},
+      {"stored_J", &EnergyBook::stored, true},
+      {"branches_J", &EnergyBook::branches, true},
+      {"contact_constraint_J", &EnergyBook::contact_constraint, true},
+      {"plate_kinetic_J", &EnergyBook::plate_kinetic, false},
+      {"plate_spring_J", &EnergyBook::plate_spring, false},
+      {"plate_damper_J", &EnergyBook::plate_damper, false},
+      {"gravity_J", &EnergyBook::gravity, false},
   };
   Trace with_energies = trace;
   for (const Energy& column : columns) {
+    const auto booked = [&](const EnergyBook& book) { return book.*column.member != 0.0; };
+    if (!column.always && std::none_of(energies.begin(), energies.end(), booked)) continue;
     TraceColumn& added = with_energies.further.emplace_back(TraceColumn{column.name, {}});
     for (const EnergyBook& book : energies) added.values.push_back(book.*column.member);
   }

@@ -1,23 +1,11 @@
 #include "fem/contact/rigid_plate.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace rebound::fem {
 
-RigidPlate::RigidPlate(const Discretisation& body) {
-  for (const int node : body.contact_nodes)
-    nodes_.push_back({node, body.position[node][0], body.position[node][1], body.mass[node]});
-  velocity_before_.resize(nodes_.size());
-}
-
-void RigidPlate::remember(const std::vector<double>& velocity) {
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    velocity_before_[i] = velocity[2 * nodes_[i].node + 1];
-}
-
 PlateStep RigidPlate::hold_back(const std::vector<double>& displacement,
-                                std::vector<double>& velocity, const StepSpan& span) const {
+                                std::vector<double>& velocity, const StepSpan& span) {
   PlateStep step;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const ContactNode& contact = nodes_[i];
@@ -35,11 +23,9 @@ PlateStep RigidPlate::hold_back(const std::vector<double>& displacement,
   return step;
 }
 
-double RigidPlate::gap(const std::vector<double>& displacement) const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& contact : nodes_)
-    smallest = std::min(smallest, contact.z + displacement[2 * contact.node + 1]);
-  return smallest;
+bool RigidPlate::is_clear_of(const std::vector<double>& displacement,
+                             const Departure& body) const {
+  return body.speed > 0.0 && gap(displacement) > body.vibration;
 }
 
 }  // namespace rebound::fem

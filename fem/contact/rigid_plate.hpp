@@ -1,23 +1,8 @@
 #pragma once
 
-#include <vector>
-
-#include "fem/discretisation/discretisation.hpp"
+#include "fem/contact/plate_contact.hpp"
 
 namespace rebound::fem {
-
-/// What the plate did to the body over one step.
-struct PlateStep {
-  double impulse = 0.0;          ///< on the body, away from the plate [N s]
-  double constraint_work = 0.0;  ///< done on the body, ≤ 0 [J]
-  double contact_radius = 0.0;   ///< largest radius of a node in contact; 0: none [m]
-};
-
-/// Time span of one central-difference step.
-struct StepSpan {
-  double kick = 0.0;   ///< ½ (Δtₙ₋₁ + Δtₙ): over which forces change velocity [s]
-  double drift = 0.0;  ///< Δtₙ: over which velocity changes position [s]
-};
 
 /// Rigid frictionless plate at z = 0, unilateral, acting on nodes.
 ///
@@ -36,28 +21,15 @@ struct StepSpan {
 ///          trace carries a ripple that falls with the cell size.
 /// Source:  Hallquist, Goudreau & Benson, Comput. Methods Appl. Mech. Engrg.
 ///          51 (1985) 107–137, kinematic constraint.
-class RigidPlate {
+class RigidPlate final : public PlateContact {
  public:
-  explicit RigidPlate(const Discretisation& body);
+  using PlateContact::PlateContact;
 
-  /// Keeps the velocities that the step's forces are about to change.
-  void remember(const std::vector<double>& velocity);
-
-  /// Corrects `velocity` of the nodes that would penetrate. Displacement and
-  /// velocity are [node][2] (r, z).
   PlateStep hold_back(const std::vector<double>& displacement, std::vector<double>& velocity,
-                      const StepSpan& span) const;
+                      const StepSpan& span) override;
 
-  /// Smallest height above the plate of a node that may touch [m].
-  double gap(const std::vector<double>& displacement) const;
-
- private:
-  struct ContactNode {
-    int node;
-    double r, z, mass;
-  };
-  std::vector<ContactNode> nodes_;
-  std::vector<double> velocity_before_;
+  /// Clear when it moves away and its gap exceeds its vibration.
+  bool is_clear_of(const std::vector<double>& displacement, const Departure& body) const override;
 };
 
 }  // namespace rebound::fem

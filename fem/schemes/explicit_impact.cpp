@@ -5,10 +5,12 @@
 #include <cmath>
 #include <memory>
 
+#include "fem/contact/moving_plate.hpp"
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/kernel/cell_batches.hpp"
 #include "fem/output/field_writer.hpp"
 #include "fem/output/shape_recorder.hpp"
+#include "fem/schemes/body_motion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "fem/schemes/prony_steps.hpp"
@@ -30,17 +32,12 @@ class ExplicitImpact {
 
  private:
   void step();
-  void kick();
-  struct Motion {
-    double kinetic = 0.0;   ///< [J]
-    double momentum = 0.0;  ///< away from the plate [kg m/s]
-  };
-  Motion motion() const;
-  double force_power(double drift) const;
-  void record_samples(const Motion& before);
+  void record_samples(const BodyMotion::Sums& before);
+  void book_energies(const BodyMotion::Sums& before, const BodyMotion::Sums& after);
   bool contact_is_over() const;
   void choose_next_step();
   FemResult finish(std::string incomplete_because);
+  void conclude(FemResult& result) const;
 
   const Discretisation& body_;
   const FemProblem& problem_;
@@ -48,17 +45,16 @@ class ExplicitImpact {
   const ViscoelasticConstants material_;
   const CellBatches cells_;
   const CellArrays& arrays_ = cells_.arrays();
-  RigidPlate plate_;
+  double first_step_, step_before_, step_, smallest_step_;
+  BodyMotion motion_;
+  std::unique_ptr<PlateContact> plate_;
   std::vector<double> history_;
-  std::vector<double> displacement_, velocity_, force_, inverse_mass_;
-  double total_mass_ = 0.0;
   int pole_ = 0;  ///< the node farthest from the plate
   double expected_time_, end_time_;
   ImpactRecorder recorder_;
   FieldWriter fields_;
   ShapeRecorder shapes_;
   CellSummary summary_;
-  double first_step_ = 0.0, step_before_ = 0.0, step_ = 0.0, smallest_step_ = 0.0;
   PronySteps prony_;
   long steps_ = 0;
   double time_ = 0.0;
@@ -75,100 +71,84 @@ double step_at_rest(const CellArrays& cells, int width, double safety) {
   return safety * 2.0 / std::sqrt(*std::max_element(frequencies, frequencies + cells.batches * width));
 }
 
+std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const Plate& plate) {
+  if (plate.moves()) return std::make_unique<MovingPlate>(body, plate);
+  return std::make_unique<RigidPlate>(body);
+}
+
+// Velocities belong to half steps: the first, half a step before the touch, is
+// that much less under gravity.
 ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& problem)
     : body_(body),
       problem_(problem),
       kernel_(choose_cell_kernel()),
       material_(viscoelastic_constants(problem.material)),
       cells_(body, material_, problem.material.elastic, kernel_.width),
-      plate_(body),
+      first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
+      step_before_(first_step_),
+      step_(first_step_),
+      smallest_step_(first_step_),
+      motion_(body, problem.impact.speed - 0.5 * first_step_ * problem.gravity),
+      plate_(make_plate(body, problem.plate)),
       history_(cells_.make_history()),
       expected_time_(expected_contact_time(problem, material_.instantaneous)),
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
       recorder_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200,
-                expected_time_),
+                expected_time_,
+                problem.plate.moves() ? Reading::load_cell : Reading::contact_force),
       fields_(body, problem, 1.3 * expected_time_),
       shapes_(body, problem.controls.shape_frames, 1.3 * expected_time_),
-      first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
-      step_before_(first_step_),
-      step_(first_step_),
-      smallest_step_(first_step_),
       prony_(material_, first_step_) {
-  const std::size_t size = 2 * (body.position.size() + 1);  // one unused node for padding lanes
-  displacement_.assign(size, 0.0);
-  velocity_.assign(size, 0.0);
-  force_.assign(size, 0.0);
-  inverse_mass_.assign(size, 0.0);
-  for (int node = 0; node < body.node_count(); ++node) {
-    inverse_mass_[2 * node] = inverse_mass_[2 * node + 1] = 1.0 / body.mass[node];
-    velocity_[2 * node + 1] = -problem.impact.speed;
-    total_mass_ += body.mass[node];
-  }
-  for (const int node : body.axis_nodes) inverse_mass_[2 * node] = 0.0;
-  initial_kinetic_ = motion().kinetic;
+  const double to_touch =
+      problem.impact.speed / (problem.impact.speed - 0.5 * first_step_ * problem.gravity);
+  initial_kinetic_ = motion_.sums().kinetic * to_touch * to_touch;
   pole_ = static_cast<int>(std::max_element(body.position.begin(), body.position.end(),
                                             [](const auto& a, const auto& b) { return a[1] < b[1]; }) -
                            body.position.begin());
 }
 
-ExplicitImpact::Motion ExplicitImpact::motion() const {
-  double radial = 0.0, axial = 0.0, momentum = 0.0;
-  for (int node = 0; node < body_.node_count(); ++node) {
-    const double m = body_.mass[node];
-    const double vr = velocity_[2 * node];
-    const double vz = velocity_[2 * node + 1];
-    radial += m * vr * vr;
-    axial += m * vz * vz;
-    momentum += m * vz;
-  }
-  return {.kinetic = 0.5 * (radial + axial), .momentum = momentum};
-}
-
-double ExplicitImpact::force_power(double drift) const {
-  // Four sums at once: a single one waits on itself. The size is even.
-  double sums[4] = {};
-  std::size_t i = 0;
-  for (; i + 4 <= force_.size(); i += 4)
-    for (int k = 0; k < 4; ++k) sums[k] += force_[i + k] * velocity_[i + k];
-  for (int k = 0; i < force_.size(); ++i, ++k) sums[k] += force_[i] * velocity_[i];
-  return 0.5 * drift * ((sums[0] + sums[1]) + (sums[2] + sums[3]));
-}
-
-void ExplicitImpact::kick() {
-  const double span = 0.5 * (step_before_ + step_);
-  for (std::size_t i = 0; i < velocity_.size(); ++i)
-    velocity_[i] -= span * force_[i] * inverse_mass_[i];
-}
-
 /// Energies at the current instant t_n, from the velocities half a step
-/// before and after; samples placed by the linear motion over the step.
-void ExplicitImpact::record_samples(const Motion& before) {
-  const Motion after = motion();
+/// before and after.
+void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMotion::Sums& after) {
+  const double mass = motion_.total_mass();
   const double kinetic = 0.5 * (before.kinetic + after.kinetic);
-  const double centre_speed = 0.5 * (before.momentum + after.momentum) / total_mass_;
-  book_.kinetic_centre_of_mass = 0.5 * total_mass_ * centre_speed * centre_speed;
+  const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
+  book_.kinetic_centre_of_mass = 0.5 * mass * centre_speed * centre_speed;
   book_.kinetic_vibration = kinetic - book_.kinetic_centre_of_mass;
-  book_.stored = kernel_.stored_energy(arrays_, displacement_.data());
+  book_.stored = kernel_.stored_energy(arrays_, motion_.displacement.data());
   // An elastic body has no branches: its internal work is then not used, and
   // the balance below holds the stress against the energy it derives from.
   book_.branches = material_.branches.empty() ? 0.0 : internal_work_ - book_.stored;
   book_.contact_constraint = -constraint_work_;
-  const double found = kinetic + book_.stored + book_.branches + book_.contact_constraint;
+  const PlateState plate = plate_->state();
+  book_.plate_kinetic = plate.kinetic;
+  book_.plate_spring = plate.spring;
+  book_.plate_damper = plate.damper;
+  book_.gravity =
+      problem_.gravity > 0.0 ? mass * problem_.gravity * motion_.mean_height() : 0.0;
+  const double found = kinetic + book_.stored + book_.branches + book_.contact_constraint +
+                       book_.plate_kinetic + book_.plate_spring + book_.plate_damper +
+                       book_.gravity;
   worst_energy_error_ =
       std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
+}
 
-  double mean_height = 0.0;
-  for (int node = 0; node < body_.node_count(); ++node)
-    mean_height += body_.mass[node] * displacement_[2 * node + 1];
-  mean_height /= total_mass_;
-  const double speed_now = after.momentum / total_mass_;
+/// Samples are placed by the linear motion over the step.
+void ExplicitImpact::record_samples(const BodyMotion::Sums& before) {
+  const BodyMotion::Sums after = motion_.sums();
+  book_energies(before, after);
+  const double mean_height = motion_.mean_height();
+  const double speed_now = after.momentum / motion_.total_mass();
+  const PlateState plate = plate_->state();
+  const int pole = 2 * pole_ + 1;
   while (recorder_.next_sample() < time_ + step_) {
     const double ahead = recorder_.next_sample() - time_;
     recorder_.add_sample(
         {.deflection = -(mean_height + ahead * speed_now),
-         .pole_deflection = -(displacement_[2 * pole_ + 1] + ahead * velocity_[2 * pole_ + 1]),
-         .contact_radius = contact_radius_},
+         .pole_deflection = -(motion_.displacement[pole] + ahead * motion_.velocity[pole]),
+         .contact_radius = contact_radius_,
+         .plate_displacement = plate.displacement + ahead * plate.velocity},
         book_);
   }
 }
@@ -186,46 +166,50 @@ void ExplicitImpact::choose_next_step() {
 }
 
 void ExplicitImpact::step() {
-  std::fill(force_.begin(), force_.end(), 0.0);
-  summary_ = kernel_.internal_forces(arrays_, prony_.data(), displacement_.data(),
-                                     history_.data(), force_.data());
+  std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
+  summary_ = kernel_.internal_forces(arrays_, prony_.data(), motion_.displacement.data(),
+                                     history_.data(), motion_.force.data());
   const bool sampling = recorder_.next_sample() < time_ + step_;
-  const Motion before = sampling ? motion() : Motion{};
+  const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
 
-  internal_work_ += force_power(step_before_);
-  plate_.remember(velocity_);
-  kick();
+  internal_work_ += motion_.half_step_work(step_before_);
+  plate_->remember(motion_.velocity);
   const StepSpan span{.kick = 0.5 * (step_before_ + step_), .drift = step_};
-  const PlateStep plate = plate_.hold_back(displacement_, velocity_, span);
+  motion_.kick(span.kick, problem_.gravity);
+  const PlateStep plate = plate_->hold_back(motion_.displacement, motion_.velocity, span);
   constraint_work_ += plate.constraint_work;
   contact_radius_ = plate.contact_radius;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
-  recorder_.add_impulse(plate.impulse, time_ - 0.5 * step_before_, time_ + 0.5 * step_);
-  if (plate.impulse > 0.0) last_contact_ = time_ + 0.5 * step_;
+  const double start = time_ - 0.5 * step_before_, end = time_ + 0.5 * step_;
+  recorder_.add_impulse(plate.impulse, start, end);
+  recorder_.add_reading(plate.reading, start, end);
+  if (plate.impulse > 0.0) last_contact_ = end;
   if (sampling) record_samples(before);
-  internal_work_ += force_power(step_);
+  internal_work_ += motion_.half_step_work(step_);
 
-  for (std::size_t i = 0; i < displacement_.size(); ++i)
-    displacement_[i] += step_ * velocity_[i];
+  motion_.drift(step_);
+  plate_->drift(step_);
   time_ += step_;
   ++steps_;
-  fields_.write_due_frames(time_, displacement_, velocity_);
-  shapes_.record_if_due(time_, displacement_);
+  fields_.write_due_frames(time_, motion_.displacement, motion_.velocity);
+  shapes_.record_if_due(time_, motion_.displacement);
   choose_next_step();
   prony_.advance(step_);
 }
 
 bool ExplicitImpact::contact_is_over() const {
   if (last_contact_ == 0.0 || time_ < 1.02 * last_contact_) return false;
-  if (!(motion().momentum > 0.0)) return false;
   // Vibration of the lowest spheroidal mode (η = ω R/c_s ≈ 2.65) with all the
   // energy left in the body; the surface moves more than the mean, hence 4.
   const double shear_speed = std::sqrt(material_.long_term_deviatoric *
                                        material_.instantaneous.shear / body_.density);
   const double frequency = 2.65 * shear_speed / problem_.sphere.radius();
   const double left = book_.kinetic_vibration + book_.stored;
-  const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / total_mass_) / frequency;
-  return plate_.gap(displacement_) > amplitude;
+  const double mass = motion_.total_mass();
+  const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / mass) / frequency;
+  return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
+                                                    .vibration = amplitude,
+                                                    .horizon = end_time_});
 }
 
 FemResult ExplicitImpact::run(const RunControl& control) {
@@ -241,7 +225,7 @@ FemResult ExplicitImpact::run(const RunControl& control) {
       incomplete = "the contact had not ended by the end time";
     if (!incomplete.empty() || steps_ % look_around_every != 0) continue;
     // NaN is never below or above anything: no comparison above would see it.
-    if (!std::isfinite(motion().kinetic)) incomplete = "the motion is no longer finite";
+    if (!std::isfinite(motion_.sums().kinetic)) incomplete = "the motion is no longer finite";
     if (!incomplete.empty()) break;
     if (contact_is_over()) break;
     if (control.interrupted && control.interrupted()) incomplete = "interrupted";
@@ -262,22 +246,28 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
   result.incomplete_because = std::move(incomplete_because);
   fields_.write_collection();
   result.shapes = shapes_.history();
-  if (!result.incomplete_because.empty()) return result;
+  if (result.incomplete_because.empty()) conclude(result);
+  return result;
+}
 
+void ExplicitImpact::conclude(FemResult& result) const {
   const double v0 = problem_.impact.speed;
-  const double rebound = recorder_.total_impulse() / total_mass_ - v0;
-  const double rebound_by_momentum = motion().momentum / total_mass_;
+  const double mass = motion_.total_mass();
+  const double now = time_ - 0.5 * step_before_;  // velocities belong to half steps
+  const double fallen = problem_.gravity * (now - last_contact_);
+  const double rebound =
+      recorder_.total_impulse() / mass - v0 - problem_.gravity * last_contact_;
+  const double speed_now = motion_.sums().momentum / mass;
   result.scalars = derive_scalars(result.trace, problem_.impact, last_contact_, rebound);
-  result.restitution_momentum = rebound_by_momentum / v0;
-  const double expected_impulse = total_mass_ * (v0 + rebound_by_momentum);
+  result.restitution_momentum = (speed_now + fallen) / v0;
+  const double expected_impulse = mass * (v0 + speed_now + problem_.gravity * now);
   result.closures.impulse =
-      std::abs(integral(result.trace.time, result.trace.force) - expected_impulse) /
+      std::abs(integral(result.trace.time, recorder_.contact_force()) - expected_impulse) /
       expected_impulse;
   result.closures.energy = worst_energy_error_;
   result.contact_radius_peak = contact_radius_peak_;
   result.vibrational_energy_share = (book_.kinetic_vibration + book_.stored) / initial_kinetic_;
   result.contact_constraint_share = book_.contact_constraint / initial_kinetic_;
-  return result;
 }
 
 }  // namespace

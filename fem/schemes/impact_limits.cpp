@@ -11,6 +11,26 @@ namespace {
 
 constexpr double most_samples = 1e5;  ///< of a trace over one Hertz contact time
 
+[[noreturn]] void refuse(const char* key, double value, const char* allowed) {
+  throw Error(ExitCode::bad_input,
+              std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " +
+                  allowed,
+              {.key = key, .value = std::to_string(value), .allowed = allowed});
+}
+
+bool positive(double value) { return value > 0 && std::isfinite(value); }
+bool zero_or_positive(double value) { return value == 0 || positive(value); }
+
+void check_plate(const Plate& plate) {
+  if (plate.friction != 0)
+    refuse("model.plate.friction", plate.friction, "0; the FE plate is frictionless");
+  if (!(plate.stiffness > 0)) refuse("model.plate.stiffness", plate.stiffness, "> 0 N/m");
+  if (!plate.moves()) return;
+  if (!positive(plate.mass)) refuse("model.plate.mass", plate.mass, "> 0 kg");
+  if (!zero_or_positive(plate.damping_ratio))
+    refuse("model.plate.damping_ratio", plate.damping_ratio, ">= 0");
+}
+
 }  // namespace
 
 double expected_contact_time(const FemProblem& problem, const Moduli& moduli) {
@@ -24,14 +44,6 @@ double expected_contact_time(const FemProblem& problem, const Moduli& moduli) {
 }
 
 void check_problem(const FemProblem& problem) {
-  const auto refuse = [](const char* key, double value, const char* allowed) {
-    throw Error(ExitCode::bad_input,
-                std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " +
-                    allowed,
-                {.key = key, .value = std::to_string(value), .allowed = allowed});
-  };
-  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
-  const auto zero_or_positive = [&](double value) { return value == 0 || positive(value); };
   const double safety = problem.controls.step_safety;
   const double interval = problem.controls.output_interval;
   const double end_time = problem.controls.end_time;
@@ -41,6 +53,8 @@ void check_problem(const FemProblem& problem) {
   if (!(safety > 0 && safety <= 1)) refuse("controls.step_safety", safety, "(0, 1]");
   if (!zero_or_positive(end_time)) refuse("controls.end_time", end_time, ">= 0 s");
   if (!zero_or_positive(interval)) refuse("controls.output_interval", interval, ">= 0 s");
+  if (!zero_or_positive(problem.gravity)) refuse("impact.gravity", problem.gravity, ">= 0 m/s^2");
+  check_plate(problem.plate);
   const double contact = expected_contact_time(
       problem, viscoelastic_constants(problem.material).instantaneous);
   if (interval > 0 && interval < contact / most_samples)

@@ -2,23 +2,27 @@
 
 #include <vector>
 
+#include "fem/schemes/impulse_bins.hpp"
 #include "lumped/problem/result.hpp"
 
 namespace rebound::fem {
 
-/// Collects the force history of an explicit run on an even time grid
-/// t_k = k Δ.
+/// Which force the instrument reads.
+enum class Reading { contact_force, load_cell };
+
+/// Collects the force history of an explicit run on an even time grid; forces
+/// are impulses per bin (see ImpulseBins).
 ///
-///   F_k = impulse delivered in [t_k − Δ/2, t_k + Δ/2] / (length of it)
-///
-/// so that the trapezoidal integral of the recorded force is exactly the
-/// impulse, whatever Δ. The impulse of a step is spread evenly over its span.
+/// With a load cell its reading is the trace's force, and the columns
+/// contact_force_N and plate_displacement_m stand beside it.
 class ImpactRecorder {
  public:
-  ImpactRecorder(double interval, double expected_duration);
+  ImpactRecorder(double interval, double expected_duration, Reading reading = Reading::contact_force);
 
-  /// Impulse delivered evenly from `start` to `end`.
-  void add_impulse(double impulse, double start, double end);
+  /// Impulse on the body, delivered evenly from `start` to `end`.
+  void add_impulse(double impulse, double start, double end) { contact_.add(impulse, start, end); }
+  /// Impulse on the load cell.
+  void add_reading(double impulse, double start, double end) { cell_.add(impulse, start, end); }
 
   /// Instant of the next sample not yet recorded.
   double next_sample() const { return interval_ * static_cast<double>(time_.size()); }
@@ -27,19 +31,22 @@ class ImpactRecorder {
     double deflection;
     double pole_deflection;
     double contact_radius;
+    double plate_displacement;
   };
   void add_sample(const Sample& sample, const EnergyBook& energies);
 
   /// The trace up to the last sample; its last force is the mean of half a bin.
   Trace trace() const;
+  /// Mean contact force at the samples; its trapezoidal integral is the impulse on the body.
+  std::vector<double> contact_force() const { return contact_.force(time_.size()); }
   const std::vector<EnergyBook>& energies() const { return energies_; }
-  double total_impulse() const { return total_impulse_; }
+  double total_impulse() const { return contact_.total(); }
 
  private:
   double interval_;
-  double total_impulse_ = 0.0;
-  std::vector<double> half_bins_;  ///< impulse in [k Δ/2, (k+1) Δ/2]
-  std::vector<double> time_, deflection_, pole_deflection_, contact_radius_;
+  Reading reading_;
+  ImpulseBins contact_, cell_;
+  std::vector<double> time_, deflection_, pole_deflection_, contact_radius_, plate_displacement_;
   std::vector<EnergyBook> energies_;
 };
 

@@ -24,8 +24,8 @@ struct ImpactScalars {
 
 /// How well momentum and energy balance; part of every result.
 struct Closures {
-  /// |∫F dt − m (v₀ + v₁)| / (m (v₀ + v₁)), v₁ the rebound speed found
-  /// without using F.
+  /// |∫F dt − m (v₀ + v₁ + g T)| / (m (v₀ + v₁ + g T)), F the contact force, v₁ the
+  /// speed at T found without using F.
   double impulse = 0.0;
   /// |energy found − energy brought| / (½ m v₀²), all channels booked.
   double energy = 0.0;
@@ -46,6 +46,10 @@ struct EnergyBook {
   double stored = 0.0;             ///< hyperelastic energy of the long-term state
   double branches = 0.0;           ///< internal work − stored: held by or dissipated in branches
   double contact_constraint = 0.0; ///< lost when nodes are caught by the plate
+  double plate_kinetic = 0.0;      ///< of a plate that moves
+  double plate_spring = 0.0;       ///< held by the spring under it
+  double plate_damper = 0.0;       ///< dissipated in the damper under it
+  double gravity = 0.0;            ///< potential of the centre of mass; zero at first touch
 };
 
 /// The body's shape at a few instants, for pictures. Vertices are in the solver's order.
@@ -60,7 +64,7 @@ struct FemResult {
   Trace trace;
   ImpactScalars scalars;
   Closures closures;
-  double restitution_momentum = 0.0;    ///< Σ mᵢ v_z,i / (m v₀) after separation; never from F
+  double restitution_momentum = 0.0;    ///< Σ mᵢ v_z,i / (m v₀) at separation; never from F
   double contact_radius_peak = 0.0;     ///< [m]
   double vibrational_energy_share = 0.0;///< (kinetic about the centre + stored) / (½ m v₀²) at the end
   double contact_constraint_share = 0.0;///< energy lost by nodes caught by the plate, of ½ m v₀²

@@ -132,6 +132,17 @@ TEST(ExplicitImpactTest, RefusesNumbersOutOfRange) {
     EXPECT_EQ(key_refused([&](FemProblem& p) { p.controls.output_interval = bad; }),
               "controls.output_interval");
   }
+  for (const double bad : {-1.0, nan, infinity}) {
+    EXPECT_EQ(key_refused([&](FemProblem& p) { p.gravity = bad; }), "impact.gravity");
+    EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate = {.stiffness = 1e6, .mass = bad}; }),
+              "model.plate.mass");
+    EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate = {.stiffness = 1e6, .damping_ratio = bad}; }),
+              "model.plate.damping_ratio");
+    EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate.friction = bad; }), "model.plate.friction");
+  }
+  EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.friction = 0.3; }), "model.plate.friction");
+  for (const double bad : {-1.0, 0.0, nan})
+    EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate.stiffness = bad; }), "model.plate.stiffness");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.controls.output_interval = 1e-12; }),
             "controls.output_interval");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.material.poisson_ratio = 0.49; }),

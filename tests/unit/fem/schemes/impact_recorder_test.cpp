@@ -32,6 +32,22 @@ TEST(ImpactRecorderTest, TrapezoidGivesTheImpulseWhateverStepsAndBins) {
   }
 }
 
+TEST(ImpactRecorderTest, LoadCellIsTheForceAndContactStandsBesideIt) {
+  ImpactRecorder recorder(1.0, 4.0, Reading::load_cell);
+  recorder.add_impulse(2.0, 0.5, 1.5);
+  recorder.add_reading(-3.0, 1.5, 2.5);
+  for (int i = 0; i < 4; ++i) recorder.add_sample({.plate_displacement = 0.5 * i}, {});
+  const Trace trace = recorder.trace();
+  EXPECT_EQ(trace.force, (std::vector<double>{0, 0, -3, 0}));
+  ASSERT_EQ(trace.further.size(), 4u);
+  EXPECT_EQ(trace.further[2].name, "contact_force_N");
+  EXPECT_EQ(trace.further[2].values, (std::vector<double>{0, 2, 0, 0}));
+  EXPECT_EQ(trace.further[3].name, "plate_displacement_m");
+  EXPECT_EQ(trace.further[3].values, (std::vector<double>{0, 0.5, 1, 1.5}));
+  EXPECT_EQ(recorder.contact_force(), trace.further[2].values);
+  EXPECT_EQ(recorder.total_impulse(), 2.0);
+}
+
 TEST(ImpactRecorderTest, EachSampleIsTheMeanOfItsBin) {
   ImpactRecorder recorder(1.0, 4.0);
   recorder.add_impulse(2.0, 0.0, 0.5);   // the first, half a bin long

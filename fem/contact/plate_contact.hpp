@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/discretisation/discretisation.hpp"
+
+namespace rebound::fem {
+
+/// What the plate and the body did to each other over one step.
+struct PlateStep {
+  double impulse = 0.0;          ///< on the body, away from the plate [N s]
+  double constraint_work = 0.0;  ///< done on body and plate together, ≤ 0 [J]
+  double contact_radius = 0.0;   ///< largest radius of a node in contact; 0: none [m]
+  double reading = 0.0;          ///< impulse on the load cell; rigid plate: not set [N s]
+};
+
+/// Time span of one central-difference step.
+struct StepSpan {
+  double kick = 0.0;   ///< ½ (Δtₙ₋₁ + Δtₙ): over which forces change velocity [s]
+  double drift = 0.0;  ///< Δtₙ: over which velocity changes position [s]
+};
+
+/// Where the plate is and what energy it has, at one instant.
+struct PlateState {
+  double displacement = 0.0;  ///< away from the ball [m]
+  double velocity = 0.0;      ///< over the step to come [m/s]
+  double kinetic = 0.0;       ///< [J]
+  double spring = 0.0;        ///< [J]
+  double damper = 0.0;        ///< dissipated so far [J]
+};
+
+/// A body that has left the plate, or only seems to have.
+struct Departure {
+  double speed = 0.0;      ///< of its centre of mass, away from the plate [m/s]
+  double vibration = 0.0;  ///< largest distance its surface may swing towards the plate [m]
+  double horizon = 0.0;    ///< how far ahead a new contact counts [s]
+};
+
+/// A plate at z = 0 that acts on the nodes of the contact group.
+class PlateContact {
+ public:
+  explicit PlateContact(const Discretisation& body);
+  virtual ~PlateContact() = default;
+
+  /// Keeps the velocities that the step's forces are about to change.
+  void remember(const std::vector<double>& velocity);
+
+  /// Corrects `velocity` of the nodes that would penetrate. Displacement and
+  /// velocity are [node][2] (r, z).
+  virtual PlateStep hold_back(const std::vector<double>& displacement,
+                              std::vector<double>& velocity, const StepSpan& span) = 0;
+
+  /// Moves the plate itself over the step.
+  virtual void drift(double) {}
+
+  virtual PlateState state() const { return {}; }
+
+  /// Whether a body that is not touched now will not be touched again.
+  virtual bool is_clear_of(const std::vector<double>& displacement,
+                           const Departure& body) const = 0;
+
+  /// Smallest height above z = 0 of a node that may touch [m].
+  double gap(const std::vector<double>& displacement) const;
+
+ protected:
+  struct ContactNode {
+    int node;
+    double r, z, mass;
+  };
+  std::vector<ContactNode> nodes_;
+  std::vector<double> velocity_before_;
+};
+
+}  // namespace rebound::fem
