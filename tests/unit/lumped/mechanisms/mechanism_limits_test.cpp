@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "lumped/integration/closed_forms.hpp"
@@ -38,6 +40,37 @@ TEST(RelaxationTest, FastBranchIsNothing) {
     before = gap;
   }
   EXPECT_LT(before, 1e-3);
+}
+
+// On a linear spring, m x⃛ + m ẍ/τ + (1 + s) k ẋ + k x/τ = 0 with x = 0, ẋ = v₀,
+// ẍ = 0 at first touch: three exponentials.
+TEST(RelaxationTest, LinearSpringIsTheStandardLinearSolid) {
+  using Complex = std::complex<double>;
+  LumpedProblem problem = test::typical_problem("linear-kelvin-voigt");
+  problem.model.parameters["damping"] = 0.0;
+  problem.impact.separation = SeparationRule::zero_deflection;
+  constexpr double ratio = 0.6, time = 4e-4;
+  problem.model.mechanisms.relaxation = {.ratio = ratio, .relaxation_time = time};
+  const double squared = problem.model.parameters["stiffness"] / problem.sphere.mass;
+  // Durand–Kerner on the characteristic polynomial, in units of 1/τ.
+  const double a = (1.0 + ratio) * squared * time * time, b = squared * time * time;
+  std::array<Complex, 3> root = {Complex(1.0, 0.5), Complex(-0.7, 1.3), Complex(0.2, -1.1)};
+  for (int sweep = 0; sweep < 200; ++sweep)
+    for (int i = 0; i < 3; ++i) {
+      const Complex r = root[i];
+      root[i] -= (((r + 1.0) * r + a) * r + b) /
+                 ((r - root[(i + 1) % 3]) * (r - root[(i + 2) % 3]));
+    }
+  const Trace trace = simulate_fast(problem).trace;
+  for (std::size_t i = 0; i < trace.time.size(); ++i) {
+    // x = v₀ τ Σ cᵢ e^{rᵢ t/τ} with Σ cᵢ = 0, Σ cᵢ rᵢ = 1, Σ cᵢ rᵢ² = 0.
+    Complex x = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const Complex p = root[(k + 1) % 3], q = root[(k + 2) % 3];
+      x -= (p + q) / ((root[k] - p) * (root[k] - q)) * std::exp(root[k] * trace.time[i] / time);
+    }
+    EXPECT_NEAR(trace.deflection[i], 15.0 * time * x.real(), 1e-9) << trace.time[i];
+  }
 }
 
 // The relaxed part of the force is missing on the way back.
