@@ -76,16 +76,10 @@ void check_plate(const Document& document) {
 
 /// What the records can say and the FE tier does not do yet.
 void check_available(const Document& document, const FemProblem& problem) {
+  if (problem.plate.friction == 0.0) return;
   const bool by_effect = !document.root()["model"]["plate"];
-  const auto refuse = [&](const char* key, const char* what) {
-    throw document.error_at(by_effect ? "model.effect" : key,
-                            fmt::format("{} is not available in the FE tier of this version", what));
-  };
-  if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
-  if (problem.plate.moves()) refuse("model.plate.stiffness", "a plate that moves");
-  if (problem.gravity != 0.0)
-    throw document.error_at("model.effect",
-                            "gravity is not available in the FE tier of this version");
+  throw document.error_at(by_effect ? "model.effect" : "model.plate.friction",
+                          "friction is not available in the FE tier of this version");
 }
 
 void check_fem(const Document& document, const FemProblem& problem) {

@@ -20,6 +20,36 @@ TEST_F(FemCommandTest, PrintsTheContractsKeysAndTheMomentumRestitution) {
                   .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
 }
 
+// The keys reach the tier: the load cell, the weight and the further branch show.
+TEST_F(FemCommandTest, PlateAndEffectsActAndStayInTheEffectiveConfiguration) {
+  folder.write("plain.toml", fem_file);
+  folder.write("a.toml", fem_file + R"([model.plate]
+stiffness = "50 MN/m"
+[[model.effect]]
+name = "relaxation"
+size = 0.3
+relaxation_time = "1 ms"
+[[model.effect]]
+name = "gravity"
+size = 1
+)");
+  ASSERT_EQ(rebound({"fem", "plain.toml", "--out", "plain"}).exit_code, 0);
+  const Outcome outcome = rebound({"fem", "a.toml", "--out", "one"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  ASSERT_EQ(rebound({"fem", "one/effective.toml", "--out", "two"}).exit_code, 0);
+  const std::string effective = read_whole(folder.path() / "one/effective.toml");
+  EXPECT_NE(effective.find("[model.plate]\nstiffness = \"50 MN/m\""), std::string::npos)
+      << effective;
+  EXPECT_NE(effective.find("name = \"relaxation\"\nsize = 0.3"), std::string::npos) << effective;
+  const std::string trace = read_whole(folder.path() / "one/trace.csv");
+  EXPECT_EQ(trace, read_whole(folder.path() / "two/trace.csv"));
+  EXPECT_NE(trace.find("contact_force_N"), std::string::npos);
+  const auto number = [&](const char* file, const char* key) {
+    return nlohmann::json::parse(read_whole(folder.path() / file))[key].get<double>();
+  };
+  EXPECT_NE(number("one/result.json", "restitution"), number("plain/result.json", "restitution"));
+}
+
 TEST_F(FemCommandTest, AMeshMadeHereIsReadBackToTheSameTrace) {
   folder.write("a.toml", fem_file);
   ASSERT_EQ(rebound({"fem", "a.toml", "--out", "one"}).exit_code, 0);
