@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/interruption.hpp"
@@ -15,6 +17,7 @@
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
+#include "comparisons/numerical_error/reference_json.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/results/result_folder.hpp"
 #include "meshes/format/msh.hpp"
@@ -40,14 +43,15 @@ void check_size(const FemProblem& problem, const Mesh& mesh) {
               {.file = problem.mesh_file, .key = "model.mesh", .allowed = "a volume within 5 %"});
 }
 
-Mesh mesh_for(const FemProblem& problem) {
+/// A user's own mesh, or one of about `cells`.
+Mesh mesh_for(const FemProblem& problem, int cells) {
   if (!problem.mesh_file.empty()) {
     constexpr std::size_t largest_file = 1u << 28;
     const Mesh mesh = read_msh(read_text_file(problem.mesh_file, largest_file), problem.mesh_file);
     check_size(problem, mesh);
     return mesh;
   }
-  CachedMesh cached = sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
+  CachedMesh cached = sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
   if (!cached.note.empty()) fmt::print(stderr, "rebound: {}\n", cached.note);
   return std::move(cached.mesh);
 }
@@ -62,36 +66,55 @@ void prepare_output(const Session& session, const Document& document, FemProblem
   problem.controls.field_directory = fields.string();
 }
 
-FemResult simulate_located(const Document& document, const FemProblem& problem, const Mesh& mesh) {
+enum class Errors { not_asked, reference };
+
+struct Outcome {
+  FemResult result;
+  Json json;  ///< null when incomplete
+};
+
+Outcome simulate(const FemProblem& problem, Errors errors) {
   ProgressLine progress("FE impact");
-  try {
-    return fem_tier().simulate(problem, mesh, progress.control());
-  } catch (const Error& error) {
-    throw document.located(error);
+  if (errors == Errors::reference) {
+    // The coarsest of three meshes: the finest has eight times the cells asked for.
+    const Mesh coarse = mesh_for(problem, std::max(problem.cells / 2, 20));
+    ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, progress.control());
+    Json json = to_json(reference);
+    return {std::move(reference.result), std::move(json)};
   }
+  FemResult result =
+      fem_tier().simulate(problem, mesh_for(problem, problem.cells), progress.control());
+  Json json = result.incomplete_because.empty() ? to_json(result) : Json();
+  return {std::move(result), std::move(json)};
 }
 
-ExitCode run_fem(const Session& session, const std::string& file) {
+ExitCode run_fem(const Session& session, const std::string& file, Errors errors) {
   const Document document = Document::load(file);
   const FemImpactFile impact_file = read_fem_impact(document);
   FemProblem problem = applied(impact_file, document);
   prepare_output(session, document, problem);
-  const FemResult result = simulate_located(document, problem, mesh_for(problem));
+  Outcome outcome;
+  try {
+    outcome = simulate(problem, errors);
+  } catch (const Error& error) {
+    throw document.located(error);
+  }
   if (!session.out.empty()) {
     Provenance provenance = provenance_of(session, file, document.text());
     provenance.modules = {fem_tier().versions()};
     write_result({.folder = session.out,
                   .effective_toml = write_toml(impact_file),
-                  .provenance = provenance},
-                 result);
+                  .provenance = provenance,
+                  .further_keys = outcome.json},
+                 outcome.result);
   }
-  if (!result.incomplete_because.empty()) {
+  if (!outcome.result.incomplete_because.empty()) {
     const std::string kept =
         session.out.empty() ? "" : fmt::format("; what is known is in {}", session.out.string());
     throw Error(interrupted() ? ExitCode::interrupted : ExitCode::solver_failed,
-                result.incomplete_because + kept, {.file = file});
+                outcome.result.incomplete_because + kept, {.file = file});
   }
-  print_result(session, to_json(result));
+  print_result(session, outcome.json);
   return ExitCode::done;
 }
 
@@ -100,8 +123,15 @@ ExitCode run_fem(const Session& session, const std::string& file) {
 Action declare_fem(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   command.add_option("FILE", *file, "Impact file with [model] tier = \"fem\"")->required();
+  const auto reference = std::make_shared<bool>(false);
+  command.add_flag("--reference", *reference,
+                   "Give every scalar and the trace a numerical error bar: three meshes, the finest "
+                   "of eight times the cells, half the step, speeds nearby. A mesh file is taken as "
+                   "the coarsest");
   command.footer(fem_help);
-  return [file](const Session& session) { return run_fem(session, *file); };
+  return [file, reference](const Session& session) {
+    return run_fem(session, *file, *reference ? Errors::reference : Errors::not_asked);
+  };
 }
 
 }  // namespace rebound

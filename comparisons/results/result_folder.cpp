@@ -39,7 +39,9 @@ void write_result(const ResultFolder& target, const LumpedResult& result) {
 void write_result(const ResultFolder& target, const FemResult& result) {
   const std::string trace = trace_csv(result.trace, result.energies);
   if (result.incomplete_because.empty()) {
-    write_files(target, {"result.json", "trace.csv"}, to_json(result), trace);
+    Json json = to_json(result);
+    if (!target.further_keys.is_null()) json.update(target.further_keys);
+    write_files(target, {"result.json", "trace.csv"}, json, trace);
     return;
   }
   const Json json = {{"schema", 1},

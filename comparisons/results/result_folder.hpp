@@ -13,6 +13,7 @@ struct ResultFolder {
   std::filesystem::path folder;
   std::string effective_toml;  ///< configuration with every default written out
   Provenance provenance;
+  Json further_keys = {};  ///< of result.json, e.g. error bars
 };
 
 /// Writes effective.toml, trace.csv and, last, result.json: where result.json

@@ -18,6 +18,7 @@
 
 #include "fem/schemes/explicit_impact.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
+#include "meshes/refine/refined_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
 
 namespace {
@@ -32,7 +33,7 @@ const Mesh& sphere(int refinements) {
   if (!known.contains(refinements))
     known[refinements] = refinements == 0
                              ? generate_sphere_mesh({.radius = radius, .cells = 1000})
-                             : test::refined_sphere(sphere(refinements - 1), radius);
+                             : refined_mesh(sphere(refinements - 1), radius);
   return known[refinements];
 }
 

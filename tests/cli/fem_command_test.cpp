@@ -50,6 +50,35 @@ size = 1
   EXPECT_NE(number("one/result.json", "restitution"), number("plain/result.json", "restitution"));
 }
 
+TEST_F(FemCommandTest, AReferenceGivesEveryScalarAndTheTraceABar) {
+  folder.write("a.toml", fem_file);
+  const Outcome outcome = rebound({"fem", "a.toml", "--reference", "--json", "--out", "results"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
+  const auto json = nlohmann::json::parse(outcome.output);
+  for (const char* key : {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N",
+                          "peak_deflection_m", "mean_deflection_m", "rebound_speed_m_s"}) {
+    ASSERT_TRUE(json["uncertainty"][key].is_number()) << key;
+    EXPECT_GT(json["uncertainty"][key], 0.0) << key;
+    EXPECT_TRUE(json["uncertainty_basis"][key]["method"].is_string()) << key;
+  }
+  EXPECT_GT(json["cells"], 300);  // the finest of the family
+  const auto stored = nlohmann::json::parse(read_whole(folder.path() / "results/result.json"));
+  EXPECT_EQ(stored["uncertainty"], json["uncertainty"]);
+  const std::string trace = read_whole(folder.path() / "results/trace.csv");
+  EXPECT_NE(trace.substr(0, trace.find('\n')).find(",force_uncertainty_N,deflection_uncertainty_m"),
+            std::string::npos);
+}
+
+TEST_F(FemCommandTest, APlateThatMovesReadsItsLoadCell) {
+  folder.write("a.toml", fem_file + "[model.plate]\nstiffness = \"50 MN/m\"\nmass = \"2 kg\"\n");
+  const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
+  const std::string trace = read_whole(folder.path() / "results/trace.csv");
+  const std::string header = trace.substr(0, trace.find('\n'));
+  for (const char* column : {"contact_force_N", "plate_displacement_m", "plate_spring_J"})
+    EXPECT_NE(header.find(column), std::string::npos) << column;
+}
+
 TEST_F(FemCommandTest, AMeshMadeHereIsReadBackToTheSameTrace) {
   folder.write("a.toml", fem_file);
   ASSERT_EQ(rebound({"fem", "a.toml", "--out", "one"}).exit_code, 0);

@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
+#include "meshes/refine/refined_mesh.hpp"
 #include "tests/support/fem_impacts.hpp"
-#include "tests/support/meshes.hpp"
 
 namespace rebound {
 namespace {
@@ -27,7 +27,7 @@ const std::array<FemResult, levels>& impacts() {
     std::array<FemResult, levels> made;
     Mesh mesh = generate_sphere_mesh({.radius = radius, .cells = 125});
     for (int level = 0; level < levels; ++level) {
-      if (level > 0) mesh = test::refined_sphere(mesh, radius);
+      if (level > 0) mesh = refined_mesh(mesh, radius);
       made[level] = test::checked_impact(mesh, problem);
     }
     return made;

@@ -1,0 +1,169 @@
+#include "comparisons/numerical_error/reference_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <memory>
+#include <string_view>
+
+#include "lumped/problem/error.hpp"
+#include "meshes/refine/refined_mesh.hpp"
+
+namespace rebound {
+namespace {
+
+void require_complete(const FemResult& result, const RunControl& control) {
+  if (result.incomplete_because.empty()) return;
+  const bool stopped = control.interrupted && control.interrupted();
+  throw Error(stopped ? ExitCode::interrupted : ExitCode::solver_failed,
+              "no error bar: the impact on " + std::to_string(result.cells) +
+                  " cells did not complete: " + result.incomplete_because);
+}
+
+/// Largest |fine − medium| within `reach` samples of each; where the medium
+/// trace has ended, its last value stands.
+std::vector<double> band(const std::vector<double>& fine, const std::vector<double>& medium,
+                         std::size_t reach) {
+  std::vector<double> apart(fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    apart[i] = std::abs(fine[i] - medium[std::min(i, medium.size() - 1)]);
+  std::vector<double> widest(fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const auto from = apart.begin() + static_cast<long>(i - std::min(i, reach));
+    const auto to = apart.begin() + static_cast<long>(std::min(i + reach + 1, apart.size()));
+    widest[i] = *std::max_element(from, to);
+  }
+  return widest;
+}
+
+void add_band(Trace& fine, const Trace& medium, double contact_time) {
+  const double spacing = fine.time[1] - fine.time[0];
+  const auto reach = static_cast<std::size_t>(std::ceil(contact_time / 50.0 / spacing));
+  fine.further.push_back({"force_uncertainty_N", band(fine.force, medium.force, reach)});
+  fine.further.push_back(
+      {"deflection_uncertainty_m", band(fine.deflection, medium.deflection, reach)});
+}
+
+/// Runs members of the family and keeps account of them.
+class Family {
+ public:
+  Family(const FemTier& tier, const FemProblem& problem, const RunControl& control)
+      : tier_(tier), problem_(problem), control_(control) {
+    // Pictures and fields belong to the result alone.
+    problem_.controls.shape_frames = problem_.controls.field_frames = 0;
+  }
+
+  struct Variation {
+    double speed_factor = 1.0;
+    double step_factor = 1.0;
+  };
+  FemResult run(const FemBody& body, const Variation& variation) {
+    FemProblem varied = problem_;
+    varied.impact.speed *= variation.speed_factor;
+    varied.controls.step_safety *= variation.step_factor;
+    FemResult result = body.simulate(varied, {.interrupted = control_.interrupted});
+    require_complete(result, control_);
+    account(result, varied);
+    return result;
+  }
+  std::shared_ptr<const FemBody> body(const Mesh& mesh) const {
+    return tier_.prepare(mesh, problem_.sphere.mass);
+  }
+  void account(const FemResult& result, const FemProblem& problem) {
+    members_.push_back({result.cells, problem.impact.speed, problem.controls.step_safety,
+                        result.steps, result.wall_seconds});
+  }
+  const std::vector<FamilyMember>& members() const { return members_; }
+
+ private:
+  const FemTier& tier_;
+  FemProblem problem_;
+  const RunControl& control_;
+  std::vector<FamilyMember> members_;
+};
+
+/// Root mean square of the scatter of five neighbouring samples of the force,
+/// within a twentieth of the contact time of its peak: the front's ripple
+/// there, in the bins of the trace.
+double ripple_at_peak(const Trace& trace, double contact_time) {
+  const std::vector<double>& force = trace.force;
+  const long peak = std::max_element(force.begin(), force.end()) - force.begin();
+  const double spacing = trace.time[1] - trace.time[0];
+  const long reach = std::max(3L, std::lround(0.05 * contact_time / spacing));
+  const long from = std::max(2L, peak - reach);
+  const long to = std::min(static_cast<long>(force.size()) - 3, peak + reach);
+  double square = 0.0;
+  for (long i = from; i <= to; ++i) {
+    const double scatter = scatter_about_parabola(
+        {force[i - 2], force[i - 1], force[i], force[i + 1], force[i + 2]});
+    square += scatter * scatter;
+  }
+  return from <= to ? std::sqrt(square / static_cast<double>(to - from + 1)) : 0.0;
+}
+
+struct Members {
+  FemResult small, halved;
+  std::array<FemResult, 5> speeds;  ///< on the middle mesh; the third at the speed asked for
+};
+
+ScalarError error_of(const ScalarOfResult& scalar, const Members& members, const FemResult& fine) {
+  std::array<double, 5> by_speed;
+  std::transform(members.speeds.begin(), members.speeds.end(), by_speed.begin(), scalar.value);
+  const double middle = by_speed[2];
+  ScalarError error{.key = scalar.key};
+  error.meshes = grid_convergence({scalar.value(members.small), middle, scalar.value(fine)});
+  error.step = 4.0 / 3.0 * std::abs(scalar.value(members.halved) - middle);
+  error.scatter = 2.0 * scatter_about_parabola(by_speed);
+  if (std::string_view(scalar.key) == "peak_force_N")
+    error.scatter = std::hypot(error.scatter,
+                               2.0 * ripple_at_peak(fine.trace, fine.scalars.contact_time));
+  error.uncertainty = std::hypot(error.meshes.uncertainty, error.step, error.scatter);
+  return error;
+}
+
+}  // namespace
+
+const std::vector<ScalarOfResult>& scalars_with_error() {
+  static const std::vector<ScalarOfResult> scalars = {
+      {"restitution", [](const FemResult& r) { return r.scalars.restitution; }},
+      {"contact_time_s", [](const FemResult& r) { return r.scalars.contact_time; }},
+      {"contact_time_1pct_s", [](const FemResult& r) { return r.scalars.contact_time_1pct; }},
+      {"peak_force_N", [](const FemResult& r) { return r.scalars.peak_force; }},
+      {"peak_deflection_m", [](const FemResult& r) { return r.scalars.peak_deflection; }},
+      {"mean_deflection_m", [](const FemResult& r) { return r.scalars.mean_deflection; }},
+      {"rebound_speed_m_s", [](const FemResult& r) { return r.scalars.rebound_speed; }},
+      {"restitution_momentum", [](const FemResult& r) { return r.restitution_momentum; }},
+      {"contact_radius_peak_m", [](const FemResult& r) { return r.contact_radius_peak; }},
+      {"vibrational_energy_share", [](const FemResult& r) { return r.vibrational_energy_share; }},
+  };
+  return scalars;
+}
+
+ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, const Mesh& coarse,
+                              const RunControl& control) {
+  constexpr double nearby = 0.05;  // of the speed, from one to the next
+  const double radius = problem.sphere.radius();
+  const Mesh medium = refined_mesh(coarse, radius);
+  const Mesh fine = refined_mesh(medium, radius);
+  // The fine mesh takes about as long as all others together: beside them.
+  auto finest = std::async(std::launch::async,
+                           [&] { return tier.simulate(problem, fine, control); });
+  Family family(tier, problem, control);
+  Members members{.small = family.run(*family.body(coarse), {})};
+  const auto body = family.body(medium);
+  for (int i = 0; i < 5; ++i)
+    members.speeds[i] = family.run(*body, {.speed_factor = 1.0 + nearby * (i - 2)});
+  members.halved = family.run(*body, {.step_factor = 0.5});
+
+  ReferenceImpact reference{.result = finest.get()};
+  require_complete(reference.result, control);
+  family.account(reference.result, problem);
+  for (const ScalarOfResult& scalar : scalars_with_error())
+    reference.errors.push_back(error_of(scalar, members, reference.result));
+  reference.family = family.members();
+  add_band(reference.result.trace, members.speeds[2].trace,
+           reference.result.scalars.contact_time);
+  return reference;
+}
+
+}  // namespace rebound

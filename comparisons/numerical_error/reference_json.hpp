@@ -1,0 +1,14 @@
+#pragma once
+
+#include "comparisons/numerical_error/reference_impact.hpp"
+#include "comparisons/results/json.hpp"
+
+namespace rebound {
+
+/// The result's keys, and
+///   uncertainty        {key: half width} under the keys of the scalars
+///   uncertainty_basis  {key: {method, order or null, and the shares meshes, step, scatter}}
+///   family             [{cells, speed_m_s, step_safety, steps, wall_s}]
+Json to_json(const ReferenceImpact& reference);
+
+}  // namespace rebound

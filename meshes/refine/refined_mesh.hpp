@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lumped/problem/mesh.hpp"
+
+namespace rebound {
+
+/// Cuts every cell into four.
+///
+/// A new vertex of the contact group whose neighbours lie on the sphere of
+/// `radius` [m] that rests on the plate is put on it, so that the bodies
+/// converge to the sphere; on any other body `radius` 0 leaves edges straight.
+///
+/// Limit: area and groups of straight-edged bodies are kept exactly
+///        -> test RefinedMeshTest.
+Mesh refined_mesh(const Mesh& coarse, double radius);
+
+}  // namespace rebound

@@ -1,0 +1,138 @@
+// Do the error bars cover what is known?
+#include "comparisons/numerical_error/reference_impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "comparisons/modules/mesh_cache.hpp"
+#include "comparisons/modules/module_loader.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/refusals.hpp"
+
+namespace rebound {
+namespace {
+
+FemProblem sliotar(double speed) {
+  FemProblem problem;
+  problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
+  problem.impact.speed = speed;
+  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.4};
+  return problem;
+}
+
+struct Bar {
+  double value, uncertainty;
+};
+std::map<std::string, Bar> bars_of(const ReferenceImpact& reference) {
+  std::map<std::string, Bar> bars;
+  for (std::size_t i = 0; i < reference.errors.size(); ++i)
+    bars[reference.errors[i].key] = {scalars_with_error()[i].value(reference.result),
+                                     reference.errors[i].uncertainty};
+  return bars;
+}
+
+ReferenceImpact reference_at(double speed, int coarse_cells) {
+  return run_reference(fem_tier(), sliotar(speed),
+                       sphere_mesh({.radius = 0.0331, .cells = coarse_cells}).mesh, {});
+}
+
+const ReferenceImpact& at_15() {
+  static const ReferenceImpact reference = reference_at(15.0, 250);
+  return reference;
+}
+
+TEST(ReferenceImpactTest, CoversTheValuesOfAMuchFinerMesh) {
+  // 65 408 cells: the mesh of 1022 cells with every cell cut into four three
+  // times over, made by this very solver; 16 times the cells of the result.
+  const std::map<std::string, double> finer = {{"restitution", 0.983731446},
+                                                {"peak_force_N", 2945.96166},
+                                                {"peak_deflection_m", 0.00770471431},
+                                                {"contact_time_s", 0.0016604556},
+                                                {"contact_time_1pct_s", 0.00160180088}};
+  const auto bars = bars_of(at_15());
+  for (const auto& [key, value] : finer)
+    EXPECT_NEAR(bars.at(key).value, value, bars.at(key).uncertainty) << key;
+}
+
+TEST(ReferenceImpactTest, IsAReferenceAtWorkingCost) {
+  const auto bars = bars_of(at_15());
+  for (const char* key : {"restitution", "peak_force_N", "peak_deflection_m", "contact_time_1pct_s"})
+    EXPECT_LT(bars.at(key).uncertainty / bars.at(key).value, 5e-3) << key;
+  EXPECT_LT(bars.at("contact_time_s").uncertainty / bars.at("contact_time_s").value, 8e-3);
+  EXPECT_EQ(at_15().family.size(), 8u);
+  EXPECT_EQ(at_15().family.back().cells, 16 * at_15().family.front().cells);
+}
+
+TEST(ReferenceImpactTest, BarsShrinkWithTheCells) {
+  const auto coarse = bars_of(reference_at(15.0, 60)), fine = bars_of(at_15());
+  for (const char* key : {"restitution", "peak_force_N", "peak_deflection_m", "contact_time_1pct_s"})
+    EXPECT_LT(fine.at(key).uncertainty, 0.8 * coarse.at(key).uncertainty) << key;
+}
+
+TEST(ReferenceImpactTest, CoversTheSphereAtLowSpeed) {
+  // Rung d at 0.1 m/s: Hertz with the finite-sphere correction. The target
+  // itself is linear and quasi-static, good to 0.2 % here.
+  constexpr double target_uncertainty = 2e-3;
+  const ReferenceImpact reference = run_reference(
+      fem_tier(), sliotar(0.1),
+      sphere_mesh({.radius = 0.0331, .cells = 250, .contact_radius = 0.10 * 0.0331, .grading = 12})
+          .mesh, {});
+  const auto bars = bars_of(reference);
+  const auto& force = bars.at("peak_force_N");
+  const auto& time = bars.at("contact_time_s");
+  EXPECT_NEAR(force.value, 6.722, std::hypot(force.uncertainty, target_uncertainty * 6.722));
+  EXPECT_NEAR(time.value, 4.944e-3, std::hypot(time.uncertainty, target_uncertainty * 4.944e-3));
+}
+
+TEST(ReferenceImpactTest, CoversTheBar) {
+  // Rung d': ν = 0 bar of 50 mm on a wall at 0.1 m/s, exact: t = 2 L/c, e = 1.
+  FemProblem bar;
+  bar.sphere = {.mass = 589.8416 * M_PI * 0.01 * 0.01 * 0.05, .diameter = 0.0662};
+  bar.impact.speed = 0.1;
+  bar.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.0};
+  bar.controls.output_interval = 2e-6;
+  const ReferenceImpact reference = run_reference(
+      fem_tier(), bar,
+      test::cylinder({.radius = 0.01, .length = 0.05, .cells_across = 2, .cells_along = 100}), {});
+  const auto bars = bars_of(reference);
+  const auto& time = bars.at("contact_time_s");
+  const auto& restitution = bars.at("restitution");
+  EXPECT_NEAR(time.value, 0.7680115e-3, time.uncertainty);
+  EXPECT_NEAR(restitution.value, 1.0, restitution.uncertainty);
+  EXPECT_LT(time.uncertainty / time.value, 0.01);
+  EXPECT_LT(restitution.uncertainty, 0.01);
+}
+
+TEST(ReferenceImpactTest, TheTraceCarriesItsBand) {
+  const Trace& trace = at_15().result.trace;
+  for (const char* name : {"force_uncertainty_N", "deflection_uncertainty_m"}) {
+    const TraceColumn* band = nullptr;
+    for (const TraceColumn& column : trace.further)
+      if (column.name == name) band = &column;
+    ASSERT_NE(band, nullptr) << name;
+    ASSERT_EQ(band->values.size(), trace.time.size());
+    for (const double value : band->values) EXPECT_GE(value, 0.0);
+  }
+}
+
+TEST(ReferenceImpactTest, GivesNoBarFromFewerMembers) {
+  FemProblem problem = sliotar(15.0);
+  problem.controls.end_time = 0.5e-3;
+  const Mesh coarse = sphere_mesh({.radius = 0.0331, .cells = 60}).mesh;
+  const Error error = testing::refusal_of([&] { run_reference(fem_tier(), problem, coarse, {}); });
+  EXPECT_EQ(error.code(), ExitCode::solver_failed);
+  EXPECT_NE(std::string(error.what()).find("no error bar"), std::string::npos);
+}
+
+TEST(ReferenceImpactTest, SameInputSameBits) {
+  const ReferenceImpact a = reference_at(15.0, 60), b = reference_at(15.0, 60);
+  EXPECT_EQ(a.result.trace.force, b.result.trace.force);
+  for (std::size_t i = 0; i < a.errors.size(); ++i)
+    EXPECT_EQ(a.errors[i].uncertainty, b.errors[i].uncertainty);
+}
+
+}  // namespace
+}  // namespace rebound
