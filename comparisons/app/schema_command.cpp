@@ -13,6 +13,7 @@
 #include "comparisons/dataset/describe_dataset.hpp"
 #include "comparisons/dataset/published_values.hpp"
 #include "comparisons/results/atomic_file.hpp"
+#include "comparisons/selection/selection_file.hpp"
 
 namespace rebound {
 namespace {
@@ -28,6 +29,7 @@ const std::vector<Format>& formats() {
       {"fem", [] { return json_schema<FemImpactFile>("Impact file, FE tier"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
+      {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
       {"published-values",

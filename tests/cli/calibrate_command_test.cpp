@@ -76,6 +76,18 @@ TEST_F(CalibrateCommand, BenchmarkScoresLawsOnTheReference) {
   EXPECT_NE(text.output.find("spring and dashpot"), std::string::npos);
 }
 
+TEST_F(CalibrateCommand, SelectRanksLaws) {
+  folder.write("select.toml",
+               "schema = 1\n[[law]]\nlabel = \"Hunt-Crossley\"\nlaw = \"hunt-crossley\"\n"
+               "[[law]]\nlabel = \"spring and dashpot\"\nlaw = \"linear-kelvin-voigt\"\n" +
+                   references_);
+  const auto json = json_of(rebound({"select", "select.toml", "--json", "--out", "chosen"}));
+  EXPECT_EQ(json["chosen"], nlohmann::json::array({"Hunt-Crossley"}));
+  EXPECT_TRUE(there("chosen/selection.json"));
+  folder.write("one.toml", "schema = 1\n[[law]]\nlabel = \"a\"\nlaw = \"tsuji\"\n" + references_);
+  EXPECT_EQ(rebound({"select", "one.toml"}).exit_code, 2);
+}
+
 TEST_F(CalibrateCommand, BadInputNamesTheKey) {
   const std::string file = "schema = 1\nlaw = \"hunt-crossley\"\n" + references_;
   const std::pair<std::string, int> cases[] = {
