@@ -11,6 +11,7 @@ const std::vector<Command>& commands() {
       {"mesh", "the sphere mesh, with quality figures", declare_mesh},
       {"calibrate", "a lumped law's parameters to traces, with uncertainty", declare_calibrate},
       {"benchmark", "lumped laws against reference traces: one scored matrix", declare_benchmark},
+      {"atlas", "where each law holds, against FE, with its error", declare_atlas},
       {"select", "which law the traces speak for, if they tell", declare_select},
       {"convert", "a contact's parameters in the conventions of other codes, with the error", declare_convert},
       {"drop", "restitution in the regulation's drop test, with its interval", declare_drop},

@@ -24,6 +24,7 @@ Action declare_fem(CLI::App& command);
 Action declare_mesh(CLI::App& command);
 Action declare_calibrate(CLI::App& command);
 Action declare_benchmark(CLI::App& command);
+Action declare_atlas(CLI::App& command);
 Action declare_select(CLI::App& command);
 Action declare_convert(CLI::App& command);
 Action declare_drop(CLI::App& command);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/atlas/atlas_text.hpp"
 #include "comparisons/benchmark/benchmark_file.hpp"
 #include "comparisons/calibration/calibration_file.hpp"
 #include "comparisons/config/describe_fem.hpp"
@@ -29,6 +30,7 @@ const std::vector<Format>& formats() {
       {"fem", [] { return json_schema<FemImpactFile>("Impact file, FE tier"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
+      {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},
       {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},

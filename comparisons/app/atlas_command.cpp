@@ -1,0 +1,86 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/atlas/atlas_text.hpp"
+#include "comparisons/config/document.hpp"
+#include "comparisons/config/help_writer.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/modules/mesh_cache.hpp"
+#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/report/write_report.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr const char* default_folder = "results/atlas";
+
+std::string atlas_help() {
+  return "Keys of FILE (TOML), all optional; without FILE the default grid:\n" +
+         help_text<AtlasGrid>() +
+         fmt::format("\nWrites atlas.json, atlas.csv, report.html and, one a file, the FE impacts to "
+                     "--out (default {});\nimpacts found there are not run again.\n\n",
+                     default_folder) +
+         exit_code_help();
+}
+
+FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
+  const Sphere sphere = atlas_problem(grid, materials_of(grid).front(), grid.speeds.front()).sphere;
+  const Mesh mesh = sphere_mesh({.radius = sphere.radius(), .cells = grid.cells}).mesh;
+  const auto body = fem_tier().prepare(mesh, sphere.mass);
+  return [body, interrupted = control.interrupted](const FemProblem& problem) {
+    return body->simulate(problem, {.interrupted = interrupted, .progress = {}});
+  };
+}
+
+ExitCode run_atlas(const Session& session, const std::string& path) {
+  AtlasGrid grid;
+  std::string text;
+  if (!path.empty()) {
+    const Document document = Document::load(path);
+    text = document.text();
+    read_document(document, grid);
+    try {
+      check_grid(grid);
+    } catch (const Error& error) {
+      throw document.located(error);
+    }
+  }
+  const std::filesystem::path out = session.out.empty() ? default_folder : session.out;
+  make_writable_folder(out);
+  make_writable_folder(out / "impacts");
+  const Atlas atlas = [&] {
+    ProgressLine progress("atlas");
+    const RunControl control = progress.control();
+    return make_atlas(grid, runner_of(grid, control), ImpactStore(out / "impacts"), control);
+  }();
+  Json json = to_json(atlas);
+  write_file_atomically(out / "atlas.csv", to_csv(atlas));
+  report::write_report(atlas_report(atlas), out / "report.html");
+  Json stored = json;
+  stored["provenance"] = to_json(provenance_of(session, path, text));
+  write_file_atomically(out / "atlas.json", dump(stored));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    fmt::print("{}\n{} impacts, {} run now in {:.1f} s; maps in {}\n", to_text(atlas),
+               atlas.entries.size() * grid.speeds.size(), atlas.impacts_run, atlas.impact_seconds,
+               (out / "report.html").string());
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_atlas(CLI::App& command) {
+  const auto file = std::make_shared<std::string>();
+  command.add_option("FILE", *file, "Grid of the atlas; absent: the default grid");
+  command.footer(atlas_help);
+  return [file](const Session& session) { return run_atlas(session, *file); };
+}
+
+}  // namespace rebound
