@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "comparisons/app/audit_option.hpp"
 #include "comparisons/app/calibration_text.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 std::string benchmark_help() {
   return "Keys of FILE (TOML):\n" + help_text<BenchmarkFile>() +
-         "\n--out writes benchmark.json.\n\n" + exit_code_help();
+         "\n--out writes benchmark.json; with --audit audit.json.\n\n" + exit_code_help();
 }
 
 BenchmarkEntry entry_of(const Document& document, const BenchmarkRow& row,
@@ -65,10 +66,18 @@ ExitCode run_benchmark(const Session& session, const std::string& path) {
 
 Action declare_benchmark(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
+  const auto audit = std::make_shared<bool>(false);
+  const auto speeds = std::make_shared<std::vector<double>>(std::vector<double>{5.0, 15.0, 25.0});
+  command.add_flag("--audit", *audit,
+                   "Audit the paper's assumptions instead; FILE is then an FE impact file");
+  command.add_option("--speeds", *speeds, "Speeds of the audit in m/s, ascending")
+      ->capture_default_str();
   command.add_option("FILE", *file, "Benchmark file: laws, and what they are scored against")
       ->required();
   command.footer(benchmark_help);
-  return [file](const Session& session) { return run_benchmark(session, *file); };
+  return [=](const Session& session) {
+    return *audit ? run_audit_option(session, *file, *speeds) : run_benchmark(session, *file);
+  };
 }
 
 }  // namespace rebound
