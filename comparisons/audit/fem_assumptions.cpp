@@ -110,7 +110,8 @@ std::vector<AuditRow> audit_bodies(const AuditRequest& request, const std::vecto
   soft.stiffness = request.plate_stiffness;
   const double contact = base.back().scalars.peak_force / base.back().scalars.peak_deflection;
   rows.push_back(other_plate({.id = "rigid-plate",
-                              .assumption = "the plate does not give way",
+                              .assumption = "the plate does not give way, and its load cell reads the contact "
+                                            "force",
                               .assumed = 0.0,
                               .found = contact / request.plate_stiffness,
                               .number = "stiffness of the ball over that of the plate, fastest impact",

@@ -116,7 +116,7 @@ double time_misfit(const LumpedModel& model, const LumpedModel& law, const Shots
 AuditRow mean_deflection(const Shots& shots, const RunControl& control) {
   const LumpedModel law = fit({.law = "hunt-crossley", .damping_formula = "exact"}, shots, control);
   double best = 1.0, least = 1e300;
-  for (double share = 0.5; share <= 2.5; share += 0.02) {
+  for (double share = 0.5; share <= 2.5; share += 0.005) {
     const double misfit = time_misfit(frozen_at(law, shots, share), law, shots);
     if (misfit < least) least = misfit, best = share;
   }
