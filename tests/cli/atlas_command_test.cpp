@@ -1,0 +1,75 @@
+// `atlas` and `benchmark --audit` on meshes small enough for seconds.
+#include <fstream>
+
+#include "tests/cli/program.hpp"
+
+namespace rebound::testing {
+namespace {
+
+class AtlasCommand : public ProgramTest {};
+
+TEST_F(AtlasCommand, MapsAreWrittenAndAKilledOneGoesOn) {
+  folder.write("grid.toml",
+               "schema = 1\nspeeds = [0.03, 0.08]\nloss_factors = [0.1]\npoisson_ratios = [0.4]\n"
+               "relaxation_times = [0.1]\ncells = 100\n");
+  const auto first = rebound({"atlas", "grid.toml", "--json", "--out", "atlas"});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  const auto json = nlohmann::json::parse(first.output);
+  EXPECT_EQ(json["impacts"], 2);
+  EXPECT_EQ(json["impacts_run"], 2);
+  EXPECT_EQ(json["impacts_failed"], 0);
+  for (const char* name : {"atlas/atlas.json", "atlas/atlas.csv", "atlas/report.html"})
+    EXPECT_TRUE(there(name)) << name;
+  // One of the two lost, as after a kill: only that one is run again.
+  std::filesystem::path kept;
+  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "atlas" / "impacts")) {
+    kept = file.path();
+    break;
+  }
+  std::filesystem::remove(kept);
+  const auto again = rebound({"atlas", "grid.toml", "--json", "--out", "atlas"});
+  const auto resumed = nlohmann::json::parse(again.output);
+  EXPECT_EQ(resumed["impacts_run"], 1);
+  EXPECT_EQ(resumed["spreads"], json["spreads"]);
+  std::ofstream(kept) << "{}";
+  EXPECT_EQ(rebound({"atlas", "grid.toml", "--out", "atlas"}).exit_code, 5);
+}
+
+TEST_F(AtlasCommand, BadGridNamesTheKey) {
+  for (const char* line : {"speeds = [0.9]\n", "speeds = [0.1, 0.05]\n", "cells = 1\n",
+                           "loss_factors = []\n", "colours = [1]\n"}) {
+    folder.write("grid.toml", std::string("schema = 1\n") + line);
+    const auto outcome = rebound({"atlas", "grid.toml", "--json", "--out", "atlas"});
+    EXPECT_EQ(outcome.exit_code, 2) << line;
+    EXPECT_FALSE(nlohmann::json::parse(outcome.output)["error"]["key"].is_null()) << line;
+  }
+}
+
+TEST_F(AtlasCommand, AuditGivesEachAssumptionANumber) {
+  folder.write("ball.toml", replaced(fem_file, "cells = 60", "cells = 120"));
+  const auto outcome = rebound({"benchmark", "--audit", "ball.toml", "--speeds", "5", "15", "--json",
+                                "--out", "audit"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["assumptions"].size(), 10u);
+  for (const auto& row : json["assumptions"]) {
+    EXPECT_FALSE(row["sentence"].get<std::string>().empty());
+    if (row["verdict"] != "not-run") {
+      EXPECT_EQ(row["errors"].size(), 2u) << row["id"];
+    }
+  }
+  EXPECT_TRUE(there("audit/audit.json"));
+  EXPECT_EQ(rebound({"benchmark", "--audit", "ball.toml", "--speeds", "5"}).exit_code, 2);
+}
+
+TEST_F(AtlasCommand, DropTestOfAnFeBall) {
+  folder.write("ball.toml", replaced(fem_file, "cells = 60", "cells = 120"));
+  const auto outcome = rebound({"drop", "ball.toml", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_TRUE(json["interval"].is_null());
+  EXPECT_GT(json["restitution"].get<double>(), 0.5);
+}
+
+}  // namespace
+}  // namespace rebound::testing
