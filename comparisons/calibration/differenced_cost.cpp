@@ -64,7 +64,14 @@ bool DifferencedCost::Evaluate(double const* const* parameters, double* residual
                                double** jacobians) const {
   const std::size_t unknowns = problem_.parameters.size();
   std::vector<double> y(parameters[0], parameters[0] + unknowns), centre, slope;
-  if (!residuals_at(y, centre)) return false;
+  if (failure_) return false;
+  if (y == last_y_) {
+    centre = last_residuals_;
+  } else {
+    if (!residuals_at(y, centre)) return false;
+    last_y_ = y;
+    last_residuals_ = centre;
+  }
   std::copy(centre.begin(), centre.end(), residuals);
   if (!jacobians || !jacobians[0]) return true;
   for (std::size_t j = 0; j < unknowns; ++j) {

@@ -39,6 +39,8 @@ class DifferencedCost final : public ceres::CostFunction {
   const CalibrationProblem& problem_;
   mutable int evaluations_ = 0;
   mutable std::vector<bool> edge_;
+  /// Ceres asks for the Jacobian where it has just had the residuals.
+  mutable std::vector<double> last_y_, last_residuals_;
   mutable std::exception_ptr failure_;
 };
 
