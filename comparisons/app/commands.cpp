@@ -15,6 +15,7 @@ const std::vector<Command>& commands() {
       {"select", "which law the traces speak for, if they tell", declare_select},
       {"convert", "a contact's parameters in the conventions of other codes, with the error", declare_convert},
       {"drop", "restitution in the regulation's drop test, with its interval", declare_drop},
+      {"verify", "known answers against what this program returns, with observed orders", declare_verify},
       {"init", "commented files to start from", declare_init},
       {"schema", "JSON schema of a file format", declare_schema},
       {"doctor", "versions, folders, and a tiny run of each tier", declare_doctor},

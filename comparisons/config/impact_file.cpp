@@ -74,16 +74,7 @@ void check_plate(const Document& document) {
                               "this belongs to a plate that moves: give its stiffness too");
 }
 
-/// What the records can say and the FE tier does not do yet.
-void check_available(const Document& document, const FemProblem& problem) {
-  if (problem.plate.friction == 0.0) return;
-  const bool by_effect = !document.root()["model"]["plate"];
-  throw document.error_at(by_effect ? "model.effect" : "model.plate.friction",
-                          "friction is not available in the FE tier of this version");
-}
-
 void check_fem(const Document& document, const FemProblem& problem) {
-  check_available(document, problem);
   if (problem.impact.separation != SeparationRule::zero_force)
     throw document.error_at("impact.separation",
                             "the FE tier finds separation by the force alone", "zero-force");

@@ -29,7 +29,7 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energie
   struct Energy {
     const char* name;
     double EnergyBook::*member;
-    bool always;  ///< the others only where the plate moves or gravity acts
+    bool always;  ///< the others only where they are not zero throughout
   };
   constexpr Energy columns[] = {
       {"kinetic_centre_of_mass_J", &EnergyBook::kinetic_centre_of_mass, true},
@@ -37,6 +37,7 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energie
       {"stored_J", &EnergyBook::stored, true},
       {"branches_J", &EnergyBook::branches, true},
       {"contact_constraint_J", &EnergyBook::contact_constraint, true},
+      {"friction_J", &EnergyBook::friction, false},
       {"plate_kinetic_J", &EnergyBook::plate_kinetic, false},
       {"plate_spring_J", &EnergyBook::plate_spring, false},
       {"plate_damper_J", &EnergyBook::plate_damper, false},

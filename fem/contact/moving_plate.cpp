@@ -7,7 +7,7 @@
 namespace rebound::fem {
 
 MovingPlate::MovingPlate(const Discretisation& body, const Plate& plate)
-    : PlateContact(body),
+    : PlateContact(body, plate.friction),
       mass_(plate.mass),
       stiffness_(plate.stiffness),
       damping_(2.0 * plate.damping_ratio * std::sqrt(plate.stiffness * plate.mass)) {}
@@ -56,6 +56,7 @@ PlateStep MovingPlate::hold_back(const std::vector<double>& displacement,
     step.contact_radius =
         std::max(step.contact_radius, contact.r + displacement[2 * contact.node]);
     v = held;
+    rub(i, impulse, velocity, step);
   }
   const double mean_velocity = 0.5 * (velocity_before_step_ + velocity_);
   step.constraint_work += step.impulse * mean_velocity;

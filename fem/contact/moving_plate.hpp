@@ -5,7 +5,7 @@
 
 namespace rebound::fem {
 
-/// Rigid frictionless plate that gives way: a mass on a spring and a damper,
+/// Rigid plate that gives way: a mass on a spring and a damper,
 /// as a plate on a load cell is. Acts on nodes as RigidPlate does, with a
 /// velocity of its own.
 ///

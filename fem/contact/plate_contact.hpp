@@ -10,6 +10,7 @@ namespace rebound::fem {
 struct PlateStep {
   double impulse = 0.0;          ///< on the body, away from the plate [N s]
   double constraint_work = 0.0;  ///< done on body and plate together, ≤ 0 [J]
+  double friction_work = 0.0;    ///< done on the body by friction, ≤ 0 in the mean [J]
   double contact_radius = 0.0;   ///< largest radius of a node in contact; 0: none [m]
   double reading = 0.0;          ///< impulse on the load cell; rigid plate: not set [N s]
 };
@@ -37,12 +38,26 @@ struct Departure {
 };
 
 /// A plate at z = 0 that acts on the nodes of the contact group.
+///
+/// Coulomb friction acts on the nodes that the plate pushes:
+///
+///   I_t = −sign(v_r) min(m |v_r|, μ I),   work = I_t (v_r,before + v_r')/2
+///
+///   v_r  radial velocity without friction, v_r' with it [m/s]
+///   I    normal impulse of the step [N s];  μ  coefficient [-]
+///
+/// A node sticks where the impulse that stops it is within the cone, and slides
+/// otherwise; no regularisation.
+/// Limit:  μ = 0 leaves every bit; a large μ stops every node that touches
+///         -> tests FrictionTest, FrictionImpact.
+/// Caution: a step without normal impulse has no friction; with the contact's
+///          ripple a sticking node may creep at the edge of the contact.
 class PlateContact {
  public:
-  explicit PlateContact(const Discretisation& body);
+  explicit PlateContact(const Discretisation& body, double friction = 0.0);
   virtual ~PlateContact() = default;
 
-  /// Keeps the velocities that the step's forces are about to change.
+  /// Keeps the normal and radial velocities that the step's forces are about to change.
   void remember(const std::vector<double>& velocity);
 
   /// Corrects `velocity` of the nodes that would penetrate. Displacement and
@@ -67,8 +82,13 @@ class PlateContact {
     int node;
     double r, z, mass;
   };
+  /// Friction on contact node `i`, pushed by `impulse`; books it in `step`.
+  void rub(std::size_t i, double impulse, std::vector<double>& velocity, PlateStep& step) const;
+
   std::vector<ContactNode> nodes_;
   std::vector<double> velocity_before_;
+  std::vector<double> radial_before_;
+  double friction_;
 };
 
 }  // namespace rebound::fem

@@ -19,6 +19,7 @@ PlateStep RigidPlate::hold_back(const std::vector<double>& displacement,
     step.contact_radius =
         std::max(step.contact_radius, contact.r + displacement[2 * contact.node]);
     v = held;
+    rub(i, impulse, velocity, step);
   }
   return step;
 }

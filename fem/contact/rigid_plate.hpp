@@ -4,7 +4,7 @@
 
 namespace rebound::fem {
 
-/// Rigid frictionless plate at z = 0, unilateral, acting on nodes.
+/// Rigid plate at z = 0, unilateral, acting on nodes.
 ///
 /// A node that the drift would carry below the plate gets the velocity that
 /// places it on the plate; the impulse is what that takes:

@@ -58,7 +58,7 @@ class ExplicitImpact {
   PronySteps prony_;
   long steps_ = 0;
   double time_ = 0.0;
-  double internal_work_ = 0.0, constraint_work_ = 0.0, initial_kinetic_ = 0.0;
+  double internal_work_ = 0.0, constraint_work_ = 0.0, friction_work_ = 0.0, initial_kinetic_ = 0.0;
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
   double last_contact_ = 0.0;
   EnergyBook book_;
@@ -73,7 +73,7 @@ double step_at_rest(const CellArrays& cells, int width, double safety) {
 
 std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const Plate& plate) {
   if (plate.moves()) return std::make_unique<MovingPlate>(body, plate);
-  return std::make_unique<RigidPlate>(body);
+  return std::make_unique<RigidPlate>(body, plate.friction);
 }
 
 // Velocities belong to half steps: the first, half a step before the touch, is
@@ -121,6 +121,7 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMot
   // the balance below holds the stress against the energy it derives from.
   book_.branches = material_.branches.empty() ? 0.0 : internal_work_ - book_.stored;
   book_.contact_constraint = -constraint_work_;
+  book_.friction = friction_work_ == 0.0 ? 0.0 : -friction_work_;
   const PlateState plate = plate_->state();
   book_.plate_kinetic = plate.kinetic;
   book_.plate_spring = plate.spring;
@@ -128,7 +129,7 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMot
   book_.gravity =
       problem_.gravity > 0.0 ? mass * problem_.gravity * motion_.mean_height() : 0.0;
   const double found = kinetic + book_.stored + book_.branches + book_.contact_constraint +
-                       book_.plate_kinetic + book_.plate_spring + book_.plate_damper +
+                       book_.friction + book_.plate_kinetic + book_.plate_spring + book_.plate_damper +
                        book_.gravity;
   worst_energy_error_ =
       std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
@@ -178,6 +179,7 @@ void ExplicitImpact::step() {
   motion_.kick(span.kick, problem_.gravity);
   const PlateStep plate = plate_->hold_back(motion_.displacement, motion_.velocity, span);
   constraint_work_ += plate.constraint_work;
+  friction_work_ += plate.friction_work;
   contact_radius_ = plate.contact_radius;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
   const double start = time_ - 0.5 * step_before_, end = time_ + 0.5 * step_;

@@ -22,8 +22,7 @@ bool positive(double value) { return value > 0 && std::isfinite(value); }
 bool zero_or_positive(double value) { return value == 0 || positive(value); }
 
 void check_plate(const Plate& plate) {
-  if (plate.friction != 0)
-    refuse("model.plate.friction", plate.friction, "0; the FE plate is frictionless");
+  if (!zero_or_positive(plate.friction)) refuse("model.plate.friction", plate.friction, ">= 0");
   if (!(plate.stiffness > 0)) refuse("model.plate.stiffness", plate.stiffness, "> 0 N/m");
   if (!plate.moves()) return;
   if (!positive(plate.mass)) refuse("model.plate.mass", plate.mass, "> 0 kg");

@@ -114,8 +114,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "model.material.branch[0].ratio", "1.0", "below 1"},
         BadFile{"Modulus", "fem", fem("10 MPa", "10 Pa"), 2, 3, "impact.speed", "15 m/s",
                 "shear wave speed"},
-        BadFile{"Plate", "fem", fem_file + "[model.plate]\nfriction = 0.3\n", 2, 18,
-                "model.plate.friction", "0.3", ""}),
+        BadFile{"Plate", "fem", fem_file + "[model.plate]\nfriction = -0.3\n", 2, 18,
+                "model.plate.friction", "-0.3", ""}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 class NoSuchFileTest : public ProgramTest {};

@@ -11,22 +11,14 @@
 #include <cmath>
 #include <map>
 
+#include "comparisons/verification/targets.hpp"
 #include "tests/support/fem_impacts.hpp"
 
 namespace rebound {
 namespace {
 
-struct Rung {
-  double speed;
-  double force, force_tolerance;  // [N], relative
-  double time, time_tolerance;    // [s], relative
-  double contact_radius, grading; // of the mesh: over R, far over near
-};
-constexpr Rung rungs[] = {
-    {0.1, 6.722, 0.005, 4.944e-3, 0.005, 0.10, 12},
-    {0.5, 47.94, 0.02, 3.498e-3, 0.015, 0.18, 8},
-    {1.0, 112.93, 0.02, 2.992e-3, 0.02, 0.25, 6},
-};
+using Rung = targets::SphereImpact;
+constexpr auto& rungs = targets::sphere_impacts;
 
 const FemResult& impact(const Rung& rung) {
   static std::map<double, FemResult> known;

@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "comparisons/verification/targets.hpp"
 #include "lumped/integration/closed_forms.hpp"
 #include "lumped/integration/simulate.hpp"
 
@@ -31,9 +32,7 @@ LumpedProblem unit_problem(const std::string& law, double damping, SeparationRul
 constexpr auto both_rules = {SeparationRule::zero_force, SeparationRule::zero_deflection};
 
 TEST(RungH, HuntCrossleyRestitution) {
-  const double table[][2] = {{0.1, .93747557995}, {0.5, .74843493160}, {1.0, .59362426004},
-                             {2.0, .41071968606}, {5.0, .19698024528}};
-  for (const auto& [p, e] : table)
+  for (const auto& [p, e] : targets::hunt_crossley)
     for (const auto rule : both_rules)
       for (auto run : {simulate, simulate_fast}) {
         const LumpedResult result = run(unit_problem("hunt-crossley", p, rule));
@@ -74,19 +73,8 @@ TEST(RungH, KelvinVoigtUnderBothRules) {
       }
 }
 
-// X″ + X^{3/2} + β √X X′ = 0 by a Taylor integrator with 14 digits:
-// β; e and t_c ending at X = 0; e, t_c and X ending at F = 0.
-const double kuwabara_kono[][6] = {
-    {0.01, 0.98854481865685, 3.22179831152, 0.98854743964273, 3.21179830015, 0.0098854744},
-    {0.05, 0.94425997234334, 3.23715001625, 0.94439677917763, 3.18714691178, 0.047219839},
-    {0.1, 0.89214758729023, 3.25728981543, 0.89285887550655, 3.1572556558, 0.089285888},
-    {0.2, 0.79755006203945, 3.30077928794, 0.80096546813576, 3.10041276654, 0.16019309},
-    {0.5, 0.57382462866495, 3.4583455716, 0.59525150113513, 2.95044468573, 0.29762575},
-    {1.0, 0.33116481046664, 3.82845463702, 0.39393060322987, 2.75202657404, 0.3939306},
-    {2.0, 0.095330365354152, 5.24526646928, 0.21164605460364, 2.47062794344, 0.42329211}};
-
 TEST(RungF, KuwabaraKonoUnderBothRules) {
-  for (const auto& [beta, e_x, t_x, e_f, t_f, x_f] : kuwabara_kono)
+  for (const auto& [beta, e_x, t_x, e_f, t_f, x_f] : targets::kuwabara_kono)
     for (auto run : {simulate, simulate_fast}) {
       const auto x = run(unit_problem("hertz-damped", beta, SeparationRule::zero_deflection));
       EXPECT_NEAR(x.scalars.restitution, e_x, bound) << beta;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rebound::fem {
 namespace {
 
@@ -82,6 +84,34 @@ TEST(RigidPlateTest, GapIsThatOfTheLowestNode) {
   EXPECT_EQ(plate.gap(u), 0.1);
   u[3] = -0.4;
   EXPECT_DOUBLE_EQ(plate.gap(u), -0.3);
+}
+
+TEST(FrictionTest, NodeSticksWithinTheConeAndSlidesOutsideIt) {
+  const double impulse = 1.0 * 4.0;  // node 0 of 1 kg, stopped from 4 m/s
+  for (const double speed : {-3.0, -0.5, 0.5, 3.0}) {
+    RigidPlate plate(four_nodes(), 0.3);
+    const std::vector<double> u(8, 0.0);
+    std::vector<double> v = {speed, -4, 7, 1, 0, 0, 0, 0};
+    plate.remember(v);
+    const PlateStep step = plate.hold_back(u, v, span);
+    const double within = 0.3 * impulse;
+    const double expected = std::abs(speed) < within ? 0.0 : speed - std::copysign(within, speed);
+    EXPECT_NEAR(v[0], expected, 1e-15);
+    // No internal forces: the work is the kinetic energy lost along the plate.
+    EXPECT_NEAR(step.friction_work, 0.5 * (expected * expected - speed * speed), 1e-14);
+    EXPECT_EQ(v[2], 7.0);  // not pushed, not rubbed
+  }
+}
+
+TEST(FrictionTest, NoneChangesNoBit) {
+  RigidPlate plate(four_nodes(), 0.0);
+  const std::vector<double> u(8, 0.0);
+  std::vector<double> v = {0.3, -4, 0.1, -5, 0, 0, 0, 0};
+  plate.remember(v);
+  const PlateStep step = plate.hold_back(u, v, span);
+  EXPECT_EQ(v[0], 0.3);
+  EXPECT_EQ(v[2], 0.1);
+  EXPECT_EQ(step.friction_work, 0.0);
 }
 
 }  // namespace

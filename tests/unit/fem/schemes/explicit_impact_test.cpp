@@ -140,7 +140,6 @@ TEST(ExplicitImpactTest, RefusesNumbersOutOfRange) {
               "model.plate.damping_ratio");
     EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate.friction = bad; }), "model.plate.friction");
   }
-  EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.friction = 0.3; }), "model.plate.friction");
   for (const double bad : {-1.0, 0.0, nan})
     EXPECT_EQ(key_refused([&](FemProblem& p) { p.plate.stiffness = bad; }), "model.plate.stiffness");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.controls.output_interval = 1e-12; }),

@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/modules/mesh_cache.hpp"
+#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/verification/fem_rungs.hpp"
+#include "comparisons/verification/lumped_rungs.hpp"
+#include "comparisons/verification/verification_text.hpp"
+
+namespace rebound {
+namespace {
+
+Mesh cached_sphere(const SphereMeshRequest& request) { return sphere_mesh(request).mesh; }
+
+void append(VerificationTable& table, VerificationTable rows) {
+  for (VerificationRow& row : rows) table.push_back(std::move(row));
+}
+
+VerificationTable verify(const std::string& tier) {
+  VerificationTable table;
+  if (tier != "fem") {
+    append(table, verify_lumped());
+    append(table, verify_estimator());
+  }
+  if (tier == "lumped") return table;
+  if (tier == "all" && !has_modules()) {
+    fmt::print(stderr, "rebound: built without the FE tier; its rungs are left out\n");
+    return table;
+  }
+  ProgressLine progress("FE rungs");
+  append(table, verify_fem(fem_tier(), cached_sphere, progress.control()));
+  return table;
+}
+
+ExitCode run_verify(const Session& session, const std::string& tier) {
+  if (!session.out.empty()) make_writable_folder(session.out);
+  const VerificationTable table = verify(tier);
+  const Json json = to_json(table);
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, "", ""));
+    write_file_atomically(session.out / "verify.json", dump(stored));
+  }
+  fmt::print("{}", session.json() ? dump(json) : to_text(table));
+  return all_pass(table) ? ExitCode::done : ExitCode::comparison_failed;
+}
+
+}  // namespace
+
+Action declare_verify(CLI::App& command) {
+  const auto tier = std::make_shared<std::string>("all");
+  command.add_option("--tier", *tier, "Which rungs: lumped (milliseconds), fem, or all")
+      ->check(CLI::IsMember({"lumped", "fem", "all"}))
+      ->capture_default_str();
+  command.footer([] {
+    return "Exit code 1 where a row fails. --out writes verify.json.\n\n" + exit_code_help();
+  });
+  return [tier](const Session& session) { return run_verify(session, *tier); };
+}
+
+}  // namespace rebound

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "comparisons/verification/verification_row.hpp"
+
+namespace rebound {
+
+/// Rungs f and h, and a published case: the two lumped integrators against
+/// closed forms and integrations at higher accuracy. Milliseconds.
+VerificationTable verify_lumped();
+
+/// The error estimator against its published example.
+VerificationTable verify_estimator();
+
+}  // namespace rebound

@@ -1,0 +1,18 @@
+#include "comparisons/verification/verification_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+
+double VerificationRow::deviation() const {
+  const double off = std::abs(result - target);
+  return scale == ToleranceScale::relative ? off / std::abs(target) : off;
+}
+
+bool all_pass(const VerificationTable& table) {
+  return !table.empty() &&
+         std::all_of(table.begin(), table.end(), [](const auto& row) { return row.passes(); });
+}
+
+}  // namespace rebound

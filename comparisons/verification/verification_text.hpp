@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/results/json.hpp"
+#include "comparisons/verification/verification_row.hpp"
+
+namespace rebound {
+
+/// {"schema": 1, "passed", "rows": [{rung, quantity, unit, target, result,
+/// deviation, tolerance, tolerance_scale, order, passed, source}]}; order null
+/// where no family was run, a result that is no number null.
+Json to_json(const VerificationTable& table);
+
+/// The same as aligned columns, failures marked, with a last line of counts.
+std::string to_text(const VerificationTable& table);
+
+}  // namespace rebound
