@@ -16,6 +16,8 @@ const std::vector<Command>& commands() {
       {"convert", "a contact's parameters in the conventions of other codes, with the error", declare_convert},
       {"drop", "restitution in the regulation's drop test, with its interval", declare_drop},
       {"verify", "known answers against what this program returns, with observed orders", declare_verify},
+      {"synthesize", "a synthetic experiment with something hidden in it", declare_synthesize},
+      {"diagnose", "where model and data disagree, and which effect is missing", declare_diagnose},
       {"init", "commented files to start from", declare_init},
       {"schema", "JSON schema of a file format", declare_schema},
       {"doctor", "versions, folders, and a tiny run of each tier", declare_doctor},

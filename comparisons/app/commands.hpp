@@ -29,6 +29,8 @@ Action declare_select(CLI::App& command);
 Action declare_convert(CLI::App& command);
 Action declare_drop(CLI::App& command);
 Action declare_verify(CLI::App& command);
+Action declare_synthesize(CLI::App& command);
+Action declare_diagnose(CLI::App& command);
 Action declare_init(CLI::App& command);
 Action declare_schema(CLI::App& command);
 Action declare_doctor(CLI::App& command);

@@ -26,6 +26,19 @@ FemProblem example_fem_problem() {
   return problem;
 }
 
+SynthesisFile example_synthesis() {
+  SynthesisFile file;
+  file.name = "relaxation hidden in core A";
+  file.sphere = core_a;
+  file.lumped.parameters = {{"exponent", 1.5}, {"stiffness", 3.2e6}, {"damping", 7e4}};
+  file.effects = {{.name = "relaxation", .size = 0.4, .parameters = {{"relaxation_time", 0.5e-3}}}};
+  file.instrument.force_noise = 20.0;
+  file.instrument.force_gain_uncertainty = 0.01;
+  for (const double speed : {5.0, 15.0, 25.0})
+    file.shots.push_back({.speed = speed, .speed_uncertainty = 0.004 * speed});
+  return file;
+}
+
 Dataset example_dataset() {
   Dataset dataset;
   dataset.name = "sliotar core A on the rigid plate";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "comparisons/dataset/dataset.hpp"
+#include "comparisons/synthesis/synthesis_file.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -16,5 +17,9 @@ FemProblem example_fem_problem();
 
 /// Core A as the paper's tables have it at one speed: scalars without traces.
 Dataset example_dataset();
+
+/// Three force histories of core A under Hunt–Crossley with a relaxation that
+/// nobody is told of.
+SynthesisFile example_synthesis();
 
 }  // namespace rebound

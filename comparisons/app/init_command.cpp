@@ -28,6 +28,8 @@ const std::vector<Starter>& starters() {
        [] { return write_toml(example_lumped_problem(), Comments::sentences); }},
       {"fem.toml", "an impact for `rebound fem`",
        [] { return write_toml(example_fem_problem(), Comments::sentences); }},
+      {"synthesis.toml", "an experiment for `rebound synthesize`, with something hidden in it",
+       [] { return write_toml(example_synthesis(), Comments::sentences); }},
       {"dataset/dataset.toml", "the data set of a study; its CSV files go beside it",
        [] { return write_toml(example_dataset(), Comments::sentences); }},
   };

@@ -15,6 +15,7 @@
 #include "comparisons/dataset/published_values.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/selection/selection_file.hpp"
+#include "comparisons/synthesis/synthesis_file.hpp"
 
 namespace rebound {
 namespace {
@@ -33,6 +34,7 @@ const std::vector<Format>& formats() {
       {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},
       {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
+      {"synthesis", [] { return json_schema<SynthesisFile>("Synthesis file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
       {"published-values",
        [] { return json_schema<PublishedValues>("Published model values of a data set"); }},

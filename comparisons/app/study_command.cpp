@@ -11,6 +11,7 @@
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/toml_writer.hpp"
+#include "comparisons/diagnosis/diagnosis_json.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/report/write_report.hpp"
 #include "comparisons/reproduce/report_sections.hpp"
@@ -67,15 +68,16 @@ struct StudyRun {
   Provenance provenance;
   std::vector<report::Section> paper;  ///< what the printed numbers imply
   std::vector<CoreStudy> cores;        ///< those that are complete
+  std::vector<ExperimentStudy> experiments;  ///< likewise
 };
 
 /// Writes what is complete: after every core, so that an interruption keeps it.
 Json write_study(const StudyRun& run) {
-  Json json = study_json(run.study, run.cores);
+  Json json = study_json(run.study, run.cores, run.experiments);
   const auto page = run.out / "report.html";
   json["report"] = page.string();
   json["provenance"] = to_json(run.provenance);
-  report::write_report(study_report(run.study, run.cores, run.paper, run.provenance), page);
+  report::write_report(study_report(run.study, run.cores, run.experiments, run.paper, run.provenance), page);
   write_file_atomically(run.out / "study.json", dump(json));
   return json;
 }
@@ -90,7 +92,9 @@ std::string complete_cores(const StudyRun& run) {
 Json run_cores(StudyRun& run) {
   ProgressLine progress("study");
   const RunControl whole = progress.control();
-  const auto count = static_cast<double>(run.study.cores.size());
+  constexpr double experiment_share = 0.15;  // of a core's work; measured
+  const double count = static_cast<double>(run.study.cores.size()) +
+                       experiment_share * static_cast<double>(run.study.experiments.size());
   Json json;
   try {
     for (std::size_t i = 0; i < run.study.cores.size(); ++i) {
@@ -100,6 +104,12 @@ Json run_cores(StudyRun& run) {
       };
       run.cores.push_back(study_core(run.study, run.study.cores[i], control));
       write_core(run.out, run.cores.back(), run.provenance);
+      json = write_study(run);
+    }
+    for (const StudyExperiment& experiment : run.study.experiments) {
+      run.experiments.push_back(study_experiment(experiment, {.interrupted = whole.interrupted}));
+      whole.progress((static_cast<double>(run.cores.size()) +
+                      experiment_share * static_cast<double>(run.experiments.size())) / count);
       json = write_study(run);
     }
   } catch (const Error& error) {
@@ -121,13 +131,18 @@ ExitCode run_study(const Session& session, const std::string& file) {
   Provenance provenance = provenance_of(session, file, document.text());
   provenance.modules = {fem_tier().versions()};
 
-  StudyRun run{study, out, provenance, {}, {}};
+  StudyRun run{study, out, provenance, {}, {}, {}};
   if (!study.reproduce.empty()) run.paper = report_sections(reproduce(study.reproduce));
   const Json json = run_cores(run);
   if (session.json()) {
     print_result(session, json);
   } else {
     print_table(run.cores);
+    fmt::print("\n");
+    for (const auto& core : run.cores)
+      fmt::print("core {} against the paper's model: {}\n", core.label, headline(core.diagnosis));
+    for (const auto& experiment : run.experiments)
+      fmt::print("{} ({}): {}\n", experiment.label, experiment.hidden, headline(experiment.diagnosis));
     fmt::print("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
   }
   return ExitCode::done;

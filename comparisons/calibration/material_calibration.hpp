@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
 #include "lumped/problem/fem_problem.hpp"
+#include "lumped/problem/modules.hpp"
 #include "lumped/problem/result.hpp"
 
 namespace rebound {
@@ -28,10 +28,6 @@ struct FreeMaterialNumber {
   double lowest = 0.0;  ///< SI
   double highest = 0.0;
 };
-
-/// Runs one FE impact; the caller holds mesh and module. Called from several
-/// threads at once.
-using FemRunner = std::function<FemResult(const FemProblem&)>;
 
 /// A fitted material and the FE impacts it gives.
 struct MaterialCalibration {

@@ -10,13 +10,14 @@
 namespace rebound {
 
 std::string trace_csv(const Trace& trace) {
-  std::string text = "time_s,force_N,deflection_m";
+  const bool has_deflection = !trace.deflection.empty();
+  std::string text = has_deflection ? "time_s,force_N,deflection_m" : "time_s,force_N";
   for (const TraceColumn& column : trace.further) text += "," + column.name;
   text += "\n";
   auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < trace.time.size(); ++i) {
-    fmt::format_to(out, "{:.17g},{:.17g},{:.17g}", trace.time[i], trace.force[i],
-                   trace.deflection[i]);
+    fmt::format_to(out, "{:.17g},{:.17g}", trace.time[i], trace.force[i]);
+    if (has_deflection) fmt::format_to(out, ",{:.17g}", trace.deflection[i]);
     for (const TraceColumn& column : trace.further) fmt::format_to(out, ",{:.17g}", column.values[i]);
     text += "\n";
   }

@@ -7,8 +7,8 @@
 
 namespace rebound {
 
-/// A trace as CSV with 17 significant digits: time_s, force_N, deflection_m,
-/// then whatever further columns it has.
+/// A trace as CSV with 17 significant digits: time_s, force_N, deflection_m
+/// where there is one, then whatever further columns it has.
 std::string trace_csv(const Trace& trace);
 
 /// The same with one column per energy, in J.

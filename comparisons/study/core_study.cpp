@@ -5,8 +5,7 @@
 
 #include "comparisons/calibration/platen_modulus.hpp"
 #include "comparisons/dataset/read_dataset.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
-#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/modules/fem_runner.hpp"
 #include "comparisons/study/study_laws.hpp"
 #include "lumped/problem/scalars.hpp"
 
@@ -23,19 +22,6 @@ void report_progress(const RunControl& control, double fraction) {
 
 [[noreturn]] void refuse_data(const Dataset& data, const std::string& what) {
   throw Error(ExitCode::bad_input, "the study needs " + what, {.file = data.folder});
-}
-
-/// A body prepared once, and its impacts. An interrupted impact throws.
-FemRunner runner_for(const Sphere& sphere, int cells, const RunControl& control) {
-  const Mesh mesh = sphere_mesh({.radius = sphere.radius(), .cells = cells}).mesh;
-  const auto body = fem_tier().prepare(mesh, sphere.mass);
-  const auto interrupted = control.interrupted;
-  return [body, interrupted](const FemProblem& problem) {
-    FemResult result = body->simulate(problem, {.interrupted = interrupted});
-    if (interrupted && interrupted())
-      throw Error(ExitCode::interrupted, "interrupted during an FE impact");
-    return result;
-  };
 }
 
 double platen_stiffness(const Dataset& data) {
@@ -92,7 +78,7 @@ std::vector<FreeMaterialNumber> free_numbers(const StudyFem& fem) {
 }
 
 void fit_material(const StudyFem& fem, CoreStudy& core, const RunControl& control) {
-  const FemRunner run = runner_for(core.data.sphere, fem.calibration_cells, control);
+  const FemRunner run = fem_runner(core.data.sphere, fem.calibration_cells, control);
   // A typical fit: eight iterations, each the point and two differences per unknown.
   const double expected = 8.0 * (1.0 + 2.0 * static_cast<double>(free_numbers(fem).size())) *
                           static_cast<double>(core.data.shots.size());
@@ -118,7 +104,7 @@ void run_references(const StudyFem& fem, CoreStudy& core, const RunControl& cont
   const auto run_on = [&](int cells, int shape_frames) {
     problem.cells = cells;
     problem.controls.shape_frames = shape_frames;
-    auto results = run_impacts(problem, impacts, runner_for(core.data.sphere, cells, control));
+    auto results = run_impacts(problem, impacts, fem_runner(core.data.sphere, cells, control));
     for (const auto& result : results)
       if (!result.incomplete_because.empty())
         throw Error(ExitCode::solver_failed, "FE reference of core " + core.label + ": " +
@@ -136,6 +122,18 @@ void run_references(const StudyFem& fem, CoreStudy& core, const RunControl& cont
     shot.problem.impact = impacts[i];
     core.shots.push_back(std::move(shot));
   }
+}
+
+/// The paper's model as the paper used it: one stiffness, damping by Eq. (8)
+/// from each measured restitution.
+Diagnosis diagnose_paper_model(const CoreStudy& core, const RunControl& control) {
+  DiagnosisRequest request;
+  request.datasets = {core.data};
+  request.believed.law = "hunt-crossley";
+  request.believed.parameters["stiffness"] = core.published.hunt_crossley_stiffness.value;
+  request.believed.damping_formula = "hunt-crossley";
+  request.believed.restitution = core.data.shots.front().restitution.value;
+  return diagnose(request, control);
 }
 
 }  // namespace
@@ -161,6 +159,7 @@ CoreStudy study_core(const StudyFile& study, const StudyCore& which, const RunCo
   report_progress(control, reference_share);
   calibrate_laws(core);
   core.benchmark = score_laws(core, {.interrupted = control.interrupted});
+  core.diagnosis = diagnose_paper_model(core, {.interrupted = control.interrupted});
   report_progress(control, 1.0);
   return core;
 }

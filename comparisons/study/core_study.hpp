@@ -9,6 +9,7 @@
 #include "comparisons/calibration/material_calibration.hpp"
 #include "comparisons/dataset/dataset.hpp"
 #include "comparisons/dataset/published_values.hpp"
+#include "comparisons/diagnosis/diagnosis.hpp"
 #include "comparisons/study/study_file.hpp"
 #include "lumped/problem/run_control.hpp"
 
@@ -43,6 +44,7 @@ struct CoreStudy {
   std::vector<StudyShot> shots;
   std::vector<StudyLaw> laws;
   BenchmarkMatrix benchmark;  ///< law × shot, in the order of the two lists
+  Diagnosis diagnosis;        ///< of the paper's own model against the measurement
 };
 
 /// Runs the chain for one ball.
@@ -54,6 +56,8 @@ struct CoreStudy {
 ///     exactly; equivalent Kelvin–Voigt at the mean deflection; linear
 ///     Kelvin–Voigt
 ///   5 every law against FE and against the measurement
+///   6 what is missing from the paper's model, one stiffness with damping by
+///     Eq. (8) from the measured restitutions (diagnose)
 ///
 /// Peak force, peak and mean deflection take no part in any FE fit.
 /// Errors: Error(bad_input) for data without what the chain needs (platen

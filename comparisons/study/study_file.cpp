@@ -77,6 +77,16 @@ void describe(Visitor& visit, StudyCore& core) {
              core.data);
 }
 
+void describe(Visitor& visit, StudyExperiment& experiment) {
+  visit.text({.name = "label", .sentence = "How the experiment is called in the report."},
+             experiment.label);
+  visit.text({.name = "synthesis",
+              .sentence = "Synthesis file; a relative path starts at the study file."},
+             experiment.synthesis);
+  visit.text({.name = "model", .sentence = "Impact file whose [model] is believed."},
+             experiment.model);
+}
+
 void describe(Visitor& visit, StudyFile& study) {
   describe_schema(visit);
   visit.text({.name = "title", .sentence = "Title of the report."}, study.title);
@@ -87,6 +97,10 @@ void describe(Visitor& visit, StudyFile& study) {
              study.reproduce);
   visit.table({.name = "fem", .sentence = "The finite-element model."}, study.fem);
   visit.list({.name = "core", .sentence = "One ball; repeat for more."}, study.cores);
+  visit.list({.name = "experiment",
+              .sentence = "A synthetic experiment to be diagnosed; repeat for more.",
+              .presence = Presence::optional},
+             study.experiments);
 }
 
 StudyFile read_study(const Document& document) {
@@ -109,6 +123,10 @@ StudyFile read_study(const Document& document) {
       throw document.error_at(key, "a label names a folder too", "text without / \\ .");
     if (!labels.insert(label).second) throw document.error_at(key, "two cores of one label");
     study.cores[i].data = (document.folder() / study.cores[i].data).string();
+  }
+  for (StudyExperiment& experiment : study.experiments) {
+    experiment.synthesis = (document.folder() / experiment.synthesis).string();
+    experiment.model = (document.folder() / experiment.model).string();
   }
   return study;
 }

@@ -36,17 +36,27 @@ struct StudyCore {
   std::string data;   ///< data-set folder, relative to the study file
 };
 
+/// A synthetic experiment with something hidden, and the model that does not
+/// know of it.
+struct StudyExperiment {
+  std::string label;      ///< as shown, e.g. "hidden relaxation"
+  std::string synthesis;  ///< synthesis file, relative to the study file
+  std::string model;      ///< impact file whose [model] is believed, likewise
+};
+
 /// A whole study file: which balls, which FE model.
 struct StudyFile {
   std::string title;
   std::string reproduce;  ///< folder of the paper's data whose numbers are checked; empty: none
   StudyFem fem;
   std::vector<StudyCore> cores;
+  std::vector<StudyExperiment> experiments;  ///< diagnosed after the cores
 };
 
 void describe(Visitor& visit, StudyBranch& branch);
 void describe(Visitor& visit, StudyFem& fem);
 void describe(Visitor& visit, StudyCore& core);
+void describe(Visitor& visit, StudyExperiment& experiment);
 void describe(Visitor& visit, StudyFile& study);
 
 /// Reads a study file; data folders become paths that can be opened from here.

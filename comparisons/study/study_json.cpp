@@ -1,5 +1,7 @@
 #include "comparisons/study/study_json.hpp"
 
+#include "comparisons/diagnosis/diagnosis_json.hpp"
+
 namespace rebound {
 namespace {
 
@@ -70,7 +72,8 @@ Json core_json(const CoreStudy& core) {
           {"long_term_modulus_hertz_Pa", core.long_term_modulus_hertz},
           {"material_fit", fit_json(core.material.fit)},
           {"shots", shots},
-          {"laws", laws}};
+          {"laws", laws},
+          {"diagnosis", to_json(core.diagnosis)}};
 }
 
 }  // namespace
@@ -93,10 +96,14 @@ Json fit_json(const CalibrationResult& fit) {
           {"warnings", fit.warnings}};
 }
 
-Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores) {
-  Json list = Json::array();
+Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                const std::vector<ExperimentStudy>& experiments) {
+  Json list = Json::array(), synthetic = Json::array();
   for (const auto& core : cores) list.push_back(core_json(core));
-  return {{"schema", 1}, {"title", study.title}, {"cores", list}};
+  for (const auto& experiment : experiments)
+    synthetic.push_back({{"label", experiment.label}, {"hidden", experiment.hidden},
+                         {"diagnosis", to_json(experiment.diagnosis)}});
+  return {{"schema", 1}, {"title", study.title}, {"cores", list}, {"experiments", synthetic}};
 }
 
 }  // namespace rebound

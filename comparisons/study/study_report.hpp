@@ -5,6 +5,7 @@
 #include "comparisons/report/report.hpp"
 #include "comparisons/results/provenance.hpp"
 #include "comparisons/study/core_study.hpp"
+#include "comparisons/study/study_experiments.hpp"
 
 /// The report of a study, one function a section, in the order of reading.
 namespace rebound {
@@ -26,6 +27,9 @@ report::Section check_section(const std::vector<CoreStudy>& cores);
 /// Every fitted number with its interval and verdict.
 report::Section parameter_section(const std::vector<CoreStudy>& cores);
 
+/// Slow compression: modulus and stiffness by every route, geometry factors right.
+report::Section quasistatic_section(const std::vector<CoreStudy>& cores);
+
 /// Closures and numerical spread of the FE runs.
 report::Section credibility_section(const std::vector<CoreStudy>& cores);
 
@@ -33,8 +37,9 @@ report::Section provenance_section(const std::vector<CoreStudy>& cores,
                                    const Provenance& provenance);
 
 /// `paper`: what the paper's printed numbers imply, if the study asks for it;
-/// placed after the checks of the FE model.
+/// placed after the checks of the FE model and the diagnoses.
 report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::vector<ExperimentStudy>& experiments,
                             const std::vector<report::Section>& paper,
                             const Provenance& provenance);
 

@@ -8,8 +8,8 @@ TraceRecorder::TraceRecorder(const ComposedContact& contact, int samples) : cont
   trace_.force.reserve(size);
   trace_.deflection.reserve(size);
   if (!contact.plate_moves()) return;
-  trace_.further.push_back({"contact_force_N", {}});
-  trace_.further.front().values.reserve(size);
+  trace_.further = {{"contact_force_N", {}}, {"plate_displacement_m", {}}};
+  for (auto& column : trace_.further) column.values.reserve(size);
 }
 
 void TraceRecorder::record(double time, const ContactPhase& phase,
@@ -17,8 +17,9 @@ void TraceRecorder::record(double time, const ContactPhase& phase,
   trace_.time.push_back(time);
   trace_.force.push_back(contact_.instrument_force(phase, state));
   trace_.deflection.push_back(contact_.centre_of_mass_deflection(phase, state));
-  if (contact_.plate_moves())
-    trace_.further.front().values.push_back(contact_.contact_force(phase, state));
+  if (!contact_.plate_moves()) return;
+  trace_.further[0].values.push_back(contact_.contact_force(phase, state));
+  trace_.further[1].values.push_back(state[ComposedContact::plate_displacement]);
 }
 
 }  // namespace rebound

@@ -7,7 +7,7 @@ namespace rebound {
 
 /// Makes the trace of a composed contact from its states: what the instrument
 /// reads, the deflection of the centre of mass, and, where the plate moves, the
-/// contact force beside what the load cell reads.
+/// contact force beside what the load cell reads, and the plate's displacement.
 class TraceRecorder {
  public:
   TraceRecorder(const ComposedContact& contact, int samples);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -40,6 +41,10 @@ class FemTier {
   /// Versions of what the module was built with, for provenance.
   virtual std::string versions() const = 0;
 };
+
+/// Runs one FE impact; whoever made it holds mesh and module. May be called
+/// from several threads at once.
+using FemRunner = std::function<FemResult(const FemProblem&)>;
 
 /// Module "rebound_mesh": meshes through the Gmsh API.
 class MeshGenerator {

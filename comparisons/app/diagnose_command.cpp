@@ -1,0 +1,111 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/config/units.hpp"
+#include "comparisons/dataset/read_dataset.hpp"
+#include "comparisons/diagnosis/believed_model.hpp"
+#include "comparisons/diagnosis/diagnosis_json.hpp"
+#include "comparisons/diagnosis/diagnosis_report.hpp"
+#include "comparisons/report/write_report.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+struct DiagnoseOptions {
+  std::vector<std::string> folders;
+  std::string model;
+  std::string hold_out;
+  std::uint64_t seed = 1;
+  bool fail_on_gap = false;
+};
+
+std::string diagnose_help() {
+  std::string text =
+      "Fits the believed model of MODEL to all shots but those at one speed, looks for the smallest\n"
+      "sets of effects that explain what is left, and predicts the speed that was left out.\n"
+      "Verdicts: agrees, missing, one-of, unexplained, measurement-fault, insufficient-data.\n"
+      "Results go to --out, or else to results/diagnosis-NAME of the first data set's folder:\n"
+      "diagnosis.json, report.html and, where effects were found, extended.toml, a model file that\n"
+      "lumped, synthesize and diagnose take as it stands.\n\nEffects:\n";
+  for (const Effect& effect : all_effects())
+    text += fmt::format("  {:<26} {}\n", effect.card.name, effect.card.sentence);
+  return text + "\n" + exit_code_help();
+}
+
+std::filesystem::path folder_for(const Session& session, const DiagnoseOptions& options) {
+  if (!session.out.empty()) return session.out;
+  const auto first = std::filesystem::absolute(options.folders.front()).lexically_normal();
+  const auto name = first.has_filename() ? first.filename() : first.parent_path().filename();
+  return std::filesystem::path("results") / ("diagnosis-" + name.string());
+}
+
+DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& document) {
+  DiagnosisRequest request;
+  for (const auto& folder : options.folders) request.datasets.push_back(read_dataset(folder));
+  const BelievedModel believed = read_believed_model(document, request.datasets);
+  request.believed = believed.model;
+  request.believed_effects = believed.effects;
+  request.seed = options.seed;
+  request.hold_out = options.hold_out != "none";
+  if (request.hold_out && !options.hold_out.empty())
+    request.held_out_speed = parse_quantity(options.hold_out, dimension::speed);
+  return request;
+}
+
+ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
+  const Document document = Document::load(options.model);
+  const DiagnosisRequest request = request_of(options, document);
+  const std::filesystem::path out = folder_for(session, options);
+  make_writable_folder(out);
+  const Diagnosis diagnosis = [&] {
+    ProgressLine progress("diagnosis");
+    try {
+      return diagnose(request, progress.control());
+    } catch (const Error& error) {
+      throw document.located(error);
+    }
+  }();
+  const Provenance provenance = provenance_of(session, options.model, document.text());
+  Json json = to_json(diagnosis);
+  if (diagnosis.gap.after) {
+    write_file_atomically(out / "extended.toml", extended_model_toml(diagnosis));
+    json["extended_model"] = (out / "extended.toml").string();
+  } else {
+    std::filesystem::remove(out / "extended.toml");  // of an earlier verdict
+  }
+  report::write_report(diagnosis_report(diagnosis, request.datasets.front().name, provenance),
+                       out / "report.html");
+  json["report"] = (out / "report.html").string();
+  Json stored = json;
+  stored["provenance"] = to_json(provenance);
+  write_file_atomically(out / "diagnosis.json", dump(stored));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    fmt::print("{}report    {}\n", to_text(diagnosis), (out / "report.html").string());
+  const bool gap = diagnosis.verdict != DiagnosisVerdict::agrees &&
+                   diagnosis.verdict != DiagnosisVerdict::insufficient_data;
+  return options.fail_on_gap && gap ? ExitCode::comparison_failed : ExitCode::done;
+}
+
+}  // namespace
+
+Action declare_diagnose(CLI::App& command) {
+  const auto options = std::make_shared<DiagnoseOptions>();
+  command.add_option("DATASET", options->folders, "Data-set folders, fitted jointly")->required();
+  command.add_option("--model", options->model, "Impact file whose [model] is believed")->required();
+  command.add_option("--hold-out", options->hold_out,
+                     "Speed that no fit sees, e.g. \"15 m/s\", or none; default: the middle one");
+  command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
+  command.add_flag("--fail-on-gap", options->fail_on_gap, "Exit 1 when model and data disagree");
+  command.footer(diagnose_help);
+  return [options](const Session& session) { return run_diagnose(session, *options); };
+}
+
+}  // namespace rebound

@@ -1,0 +1,147 @@
+#include "comparisons/diagnosis/hypothesis_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
+
+CalibrationProblem problem_of(const JointModel& model) {
+  CalibrationProblem problem;
+  problem.parameters = model.unknowns();
+  problem.residuals = [&model](const std::vector<double>& values) { return model.residuals(values); };
+  problem.noise = NoiseKnowledge::known;
+  problem.controls = {.relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+  return problem;
+}
+
+HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
+                       const std::map<std::string, double>& starts, const RunControl& control) {
+  HypothesisFit fit;
+  fit.hypothesis = hypothesis;
+  const auto model = std::make_shared<const JointModel>(seen, hypothesis);
+  fit.model = model;
+  CalibrationProblem problem = problem_of(*model);
+  for (auto& parameter : problem.parameters)
+    if (const auto found = starts.find(parameter.name); found != starts.end())
+      parameter.start = std::clamp(found->second, parameter.lowest, parameter.highest);
+  if (problem.parameters.empty()) {
+    fit.residuals = model->residuals({});
+  } else {
+    fit.search = calibrate(problem, control);
+    for (const auto& estimate : fit.search.estimates) fit.values.push_back(estimate.value);
+    fit.residuals = model->residuals(fit.values);
+  }
+  fit.effects = model->effects_at(fit.values);
+  const std::size_t data = model->rows().size();
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+    const double square = fit.residuals[i] * fit.residuals[i];
+    fit.chi_square += square;
+    if (i < data) fit.data_chi_square += square;
+  }
+  for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
+    fit.effect_unknowns += static_cast<int>(model->unknowns_of_effect(k).size());
+  const auto priors = static_cast<int>(fit.residuals.size() - data);
+  fit.freedom = std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));
+  fit.information_criterion =
+      fit.chi_square + fit.effect_unknowns * std::log(static_cast<double>(data));
+  return fit;
+}
+
+}  // namespace
+
+HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
+                             const RunControl& control) {
+  return fit_from(seen, hypothesis, {}, control);
+}
+
+HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
+                           const std::vector<EffectChoice>& starts, const RunControl& control) {
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < near.values.size(); ++i)
+    values[near.model->unknowns()[i].name] = near.values[i];
+  std::optional<HypothesisFit> best;
+  Error failure(ExitCode::solver_failed, "the effect has no numbers to start from");
+  for (const EffectChoice& start : starts) {
+    Hypothesis one = near.hypothesis;
+    one.effects = near.effects;
+    one.effects.push_back(start);
+    try {
+      HypothesisFit fit = fit_from(seen, one, values, control);
+      if (!best || fit.chi_square < best->chi_square) best = std::move(fit);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed) throw;
+      failure = error;
+    }
+  }
+  if (!best) throw failure;
+  return std::move(*best);
+}
+
+HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) {
+  Hypothesis hypothesis = fit.hypothesis;
+  hypothesis.effects = fit.effects;
+  const JointModel model(unseen, hypothesis);
+  std::map<std::string, double> known;
+  for (std::size_t i = 0; i < fit.values.size(); ++i)
+    known[fit.model->unknowns()[i].name] = fit.values[i];
+  std::vector<double> values = model.start();
+  const auto& own = model.shot_nuisances();
+  const auto is_own = [&](std::size_t i) { return std::find(own.begin(), own.end(), i) != own.end(); };
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const auto found = known.find(model.unknowns()[i].name); found != known.end() && !is_own(i))
+      values[i] = found->second;
+
+  if (!own.empty()) {
+    CalibrationProblem problem;
+    for (const std::size_t index : own) problem.parameters.push_back(model.unknowns()[index]);
+    problem.residuals = [&](const std::vector<double>& free) {
+      std::vector<double> all = values;
+      for (std::size_t k = 0; k < own.size(); ++k) all[own[k]] = free[k];
+      return model.residuals(all);
+    };
+    problem.noise = NoiseKnowledge::known;
+    problem.controls = {.relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+    const CalibrationResult found = calibrate(problem);
+    for (std::size_t k = 0; k < own.size(); ++k) values[own[k]] = found.estimates[k].value;
+  }
+  const std::vector<double> residuals = model.residuals(values);
+  HeldOutGap gap;
+  const std::size_t data = model.rows().size();
+  for (std::size_t i = 0; i < data; ++i)
+    gap.reduced_chi_square += residuals[i] * residuals[i] / static_cast<double>(data);
+  for (std::size_t i = 0; i < unseen.shots.size(); ++i)
+    gap.force.push_back(unseen.shots[i].history
+                            ? model.force_at(values, i, unseen.shots[i].history->time)
+                            : std::vector<double>{});
+  return gap;
+}
+
+Eigen::MatrixXd jacobian_at(const JointModel& model, const std::vector<double>& values) {
+  const std::vector<double> centre = model.residuals(values);
+  const auto rows = static_cast<Eigen::Index>(centre.size());
+  Eigen::MatrixXd jacobian(rows, static_cast<Eigen::Index>(values.size()));
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const CalibrationParameter& unknown = model.unknowns()[j];
+    const double step = difference * unknown.scale;
+    const double above = std::min(values[j] + step, unknown.highest);
+    const double below = std::max(values[j] - step, unknown.lowest);
+    std::vector<double> at = values;
+    at[j] = above;
+    const std::vector<double> high = model.residuals(at);
+    at[j] = below;
+    const std::vector<double> low = model.residuals(at);
+    for (Eigen::Index i = 0; i < rows; ++i)
+      jacobian(i, static_cast<Eigen::Index>(j)) =
+          (high[static_cast<std::size_t>(i)] - low[static_cast<std::size_t>(i)]) / (above - below);
+  }
+  return jacobian;
+}
+
+}  // namespace rebound

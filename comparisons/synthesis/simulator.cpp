@@ -1,0 +1,44 @@
+#include "comparisons/modules/mesh_cache.hpp"
+#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/synthesis/synthesize.hpp"
+#include "lumped/integration/simulate.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+SimulatedImpact simulate_lumped(const SynthesisFile& file, const Sphere& sphere,
+                                const Impact& impact) {
+  LumpedProblem problem{.sphere = sphere, .impact = impact, .model = file.lumped, .controls = {}};
+  problem.controls.samples = 2001;  // the data set samples this; it should not see the grid
+  apply_effects(physical_effects(file.effects), problem);
+  LumpedResult result = simulate(problem);
+  return {.trace = std::move(result.trace), .scalars = result.scalars,
+          .plate = problem.model.mechanisms.plate};
+}
+
+}  // namespace
+
+ImpactSimulator simulator_of(const SynthesisFile& file, const RunControl& control) {
+  if (file.tier == Tier::lumped)
+    return [&file](const Sphere& sphere, const Impact& impact) {
+      return simulate_lumped(file, sphere, impact);
+    };
+  const Mesh mesh = sphere_mesh({.radius = file.sphere.radius(), .cells = file.fem.cells}).mesh;
+  return [&file, mesh, control](const Sphere& sphere, const Impact& impact) {
+    FemProblem problem = file.fem;
+    problem.sphere = sphere;
+    problem.impact = impact;
+    apply_effects(physical_effects(file.effects), problem);
+    FemResult result =
+        fem_tier().simulate(problem, mesh, {.interrupted = control.interrupted});
+    if (!result.incomplete_because.empty())
+      throw Error(control.interrupted && control.interrupted() ? ExitCode::interrupted
+                                                               : ExitCode::solver_failed,
+                  "the hidden FE impact: " + result.incomplete_because);
+    return SimulatedImpact{.trace = std::move(result.trace), .scalars = result.scalars,
+                           .plate = problem.plate};
+  };
+}
+
+}  // namespace rebound
