@@ -11,19 +11,23 @@ namespace {
 /// Assumed where a data set says nothing; every use gives a warning.
 constexpr double assumed_gain_uncertainty = 0.02;
 constexpr double assumed_speed_uncertainty = 0.005;
-constexpr double in_contact = 0.02;        // of the peak: far above noise, near first touch
+constexpr double clearly_in_contact = 0.1; // of the peak: above any noise that allows a diagnosis
 constexpr std::size_t most_samples = 600;  // a contact
 constexpr std::size_t fewest_quiet = 20;   // samples before contact that make a scatter
 
 struct Window {
-  std::size_t first, last;  ///< first and last sample above `in_contact`
+  std::size_t first, last;  ///< a little before first touch, a little after separation
 };
 
 Window contact_window(const Trace& trace) {
-  const double peak = *std::max_element(trace.force.begin(), trace.force.end());
+  const double level = clearly_in_contact * *std::max_element(trace.force.begin(), trace.force.end());
   Window window{0, trace.force.size() - 1};
-  while (trace.force[window.first] < in_contact * peak) ++window.first;
-  while (trace.force[window.last] < in_contact * peak) --window.last;
+  while (trace.force[window.first] < level) ++window.first;
+  while (trace.force[window.last] < level) --window.last;
+  // A pulse takes less than this share of its length from nothing to the level.
+  const std::size_t margin = (window.last - window.first) / 10;
+  window.first -= std::min(window.first, margin);
+  window.last = std::min(window.last + margin, trace.force.size() - 1);
   return window;
 }
 
@@ -61,12 +65,12 @@ std::optional<ForceHistory> history_of(const Dataset& dataset, const Trace& trac
     history.noise = *dataset.instrument.force_noise;
     seen.noise_from = "stated by the data set";
   } else if (window.first >= fewest_quiet) {
-    history.noise = scatter(trace.force, window.first - window.first / 10);
+    history.noise = scatter(trace.force, window.first);
     seen.noise_from = "scatter of the force before contact";
   }
   if (!(history.noise > 0.0)) return std::nullopt;
-  const std::size_t before = std::min(window.first, inside / 5);
-  const std::size_t after = std::min(trace.time.size() - 1 - window.last, inside / 4);
+  const std::size_t before = std::min(window.first, inside / 10);
+  const std::size_t after = std::min(trace.time.size() - 1 - window.last, inside / 10);
   for (std::size_t i = window.first - before; i <= window.last + after; ++i) {
     history.time.push_back(trace.time[i]);
     history.force.push_back(trace.force[i]);

@@ -109,7 +109,7 @@ TEST(DiagnoseTest, ThePapersDampingFormulaIsTheFirstGap) {
     EXPECT_EQ(d.effects[0].effect.name, "low-loss-damping-formula") << core;
     EXPECT_EQ(d.effects.size(), 1u) << core << ": twelve points cannot carry a second name";
     EXPECT_GT(*d.gap.before, 20.0) << core;
-    EXPECT_LT(*d.gap.held_out_after, 0.25 * *d.gap.held_out_before) << core;
+    EXPECT_LT(*d.gap.held_out_after, 0.5 * *d.gap.held_out_before) << core;
   }
 }
 

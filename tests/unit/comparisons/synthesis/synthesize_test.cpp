@@ -59,7 +59,7 @@ TEST(SynthesizeTest, NoiseHasItsStandardDeviation) {
   file.instrument.force_noise = 20.0;
   file.sampling.before = 1e-3;
   file.sampling.rate = 2e6;
-  const auto& force = make(file).dataset.shots[0].trace->force;
+  const auto force = make(file).dataset.shots[0].trace->force;
   double square = 0.0;
   for (std::size_t i = 0; i < 1900; ++i) square += force[i] * force[i];
   EXPECT_NEAR(std::sqrt(square / 1900.0), 20.0, 1.5);  // 4.5 standard errors
@@ -88,7 +88,7 @@ TEST(SynthesizeTest, AGainFaultScalesTheForce) {
 TEST(SynthesizeTest, AMovingPlateGoesOnRinging) {
   SynthesisFile file = two_shots();
   file.effects = {{.name = "plate-compliance", .size = 2e-8, .parameters = {}}};
-  const auto& trace = *make(file).dataset.shots[0].trace;
+  const auto trace = *make(file).dataset.shots[0].trace;
   EXPECT_GT(std::abs(trace.force[trace.force.size() - 10]), 50.0);
 }
 
