@@ -48,7 +48,7 @@ size = "0.02 um/N"
             std::string::npos);
   EXPECT_EQ(effective.find("[model.plate]"), std::string::npos);
   const std::string trace = read_whole(folder.path() / "one/trace.csv");
-  EXPECT_TRUE(trace.starts_with("time_s,force_N,deflection_m,contact_force_N\n"));
+  EXPECT_TRUE(trace.starts_with("time_s,force_N,deflection_m,contact_force_N,plate_displacement_m\n"));
   EXPECT_EQ(trace, read_whole(folder.path() / "two/trace.csv"));
 }
 
