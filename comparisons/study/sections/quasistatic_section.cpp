@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "comparisons/study/study_report.hpp"
 
@@ -15,6 +17,18 @@ const Measured* platen_stiffness(const CoreStudy& core) {
 
 const Measured* block_modulus(const CoreStudy& core) {
   return core.data.block_tests.empty() ? nullptr : &core.data.block_tests.front().modulus;
+}
+
+/// How block and ball disagree over the cores; empty where no core has both.
+std::string disagreement_of(const std::vector<double>& block_over_ball) {
+  if (block_over_ball.empty()) return {};
+  const auto [least, most] = std::minmax_element(block_over_ball.begin(), block_over_ball.end());
+  const char* direction = *least > 1.0   ? "stiffer in every core"
+                          : *most < 1.0 ? "softer in every core"
+                                        : "in no common direction";
+  return fmt::format(
+      "The modulus of a block cut from the core is {:.2g} to {:.2g} times that of the whole ball "
+      "between platens, {}. The study takes the ball's.", *least, *most, direction);
 }
 
 }  // namespace
@@ -36,6 +50,7 @@ report::Section quasistatic_section(const std::vector<CoreStudy>& cores) {
                   {"block modulus", "MPa", Kind::number, Origin::measured},
                   {"block / platens", "1", Kind::number, Origin::derived}},
       .rows = {}};
+  std::vector<double> block_over_ball;
   for (const auto& core : cores) {
     const Measured* pair = platen_stiffness(core);
     const Measured* block = block_modulus(core);
@@ -51,12 +66,11 @@ report::Section quasistatic_section(const std::vector<CoreStudy>& cores) {
         block ? report::number_cell(*block->value / core.long_term_modulus, 2)
               : report::text_cell("–")};
     table.rows.push_back(std::move(row));
+    if (block) block_over_ball.push_back(*block->value / core.long_term_modulus);
   }
   report::Section section{.title = "Slow compression", .blocks = {}};
-  section.blocks.push_back(report::Notice{
-      report::Notice::Level::finding,
-      "Block and ball disagree: the modulus of a block cut from the core is from half to twice that "
-      "of the whole ball between platens, in no common direction. The study takes the ball's."});
+  if (const std::string found = disagreement_of(block_over_ball); !found.empty())
+    section.blocks.push_back(report::Notice{report::Notice::Level::finding, found});
   section.blocks.push_back(std::move(table));
   return section;
 }
