@@ -2,19 +2,16 @@
 
 #include <atomic>
 #include <chrono>
-#include <exception>
-#include <functional>
 #include <mutex>
-#include <thread>
 
 #include "comparisons/atlas/atlas_scores.hpp"
+#include "comparisons/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
 constexpr double impact_share = 0.6;  // of the work; measured on two cores
-constexpr int threads = 2;
 
 /// The trace up to the end of contact.
 AtlasImpact over_contact(const FemProblem& problem, const FemResult& result) {
@@ -30,30 +27,6 @@ AtlasImpact over_contact(const FemProblem& problem, const FemResult& result) {
     impact.shot.trace.deflection.push_back(result.trace.deflection[i]);
   }
   return impact;
-}
-
-/// Does `work(i)` for i below `count` on two threads; the first error ends it.
-void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex guard;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(guard);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(run);
-    run();
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 /// Progress and interruption of many pieces on several threads.

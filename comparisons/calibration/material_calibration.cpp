@@ -1,11 +1,9 @@
 #include "comparisons/calibration/material_calibration.hpp"
 
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <string>
-#include <thread>
 
+#include "comparisons/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/scalars.hpp"
 
@@ -78,25 +76,11 @@ void carry_back(Estimate& estimate) {
 std::vector<FemResult> run_impacts(const FemProblem& problem, const std::vector<Impact>& impacts,
                                    const FemRunner& run) {
   std::vector<FemResult> results(impacts.size());
-  std::vector<std::exception_ptr> failures(impacts.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < impacts.size(); i = next++) {
-      FemProblem one = problem;
-      one.impact = impacts[i];
-      try {
-        results[i] = run(one);
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-    }
-  };
-  {
-    std::jthread second(work);
-    work();
-  }
-  for (const auto& failure : failures)
-    if (failure) std::rethrow_exception(failure);
+  in_parallel(impacts.size(), [&](std::size_t i) {
+    FemProblem one = problem;
+    one.impact = impacts[i];
+    results[i] = run(one);
+  });
   return results;
 }
 
