@@ -89,9 +89,22 @@ void add_scalar(const Measured& measured, ObservedQuantity what, const std::stri
   shot.scalars.push_back({what, *measured.value, *measured.uncertainty});
 }
 
+/// `name`, or "name, repeat 2" where it is taken: unknowns are told apart by it.
+template <class Record>
+std::string name_of_its_own(const std::string& name, const char* again,
+                            const std::vector<Record>& taken, std::string Record::* member) {
+  const auto is_taken = [&](const std::string& candidate) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const Record& record) { return record.*member == candidate; });
+  };
+  std::string own = name;
+  for (int count = 2; is_taken(own); ++count) own = fmt::format("{}, {} {}", name, again, count);
+  return own;
+}
+
 std::size_t ball_of(const Dataset& dataset, Observations& seen) {
-  const ObservedBall ball{.name = dataset.name, .sphere = dataset.sphere,
-                          .mass_uncertainty = dataset.mass_uncertainty.value_or(0.0)};
+  ObservedBall ball{.name = dataset.name, .sphere = dataset.sphere,
+                    .mass_uncertainty = dataset.mass_uncertainty.value_or(0.0)};
   for (std::size_t i = 0; i < seen.balls.size(); ++i) {
     const ObservedBall& known = seen.balls[i];
     const double mass_slack = ball.mass_uncertainty + known.mass_uncertainty + 1e-9;
@@ -100,13 +113,15 @@ std::size_t ball_of(const Dataset& dataset, Observations& seen) {
         std::abs(known.sphere.diameter - ball.sphere.diameter) <= diameter_slack)
       return i;
   }
+  ball.name = name_of_its_own(dataset.name, "ball", seen.balls, &ObservedBall::name);
   seen.balls.push_back(ball);
   return seen.balls.size() - 1;
 }
 
 void add_shot(const Dataset& dataset, const Shot& measured, std::size_t ball, Observations& seen) {
   ObservedShot shot;
-  shot.label = fmt::format("{}, {:g} m/s", dataset.name, measured.speed);
+  shot.label = name_of_its_own(fmt::format("{}, {:g} m/s", dataset.name, measured.speed), "repeat",
+                               seen.shots, &ObservedShot::label);
   shot.ball = ball;
   shot.speed = measured.speed;
   shot.restitution = measured.restitution.value;

@@ -10,7 +10,7 @@ namespace rebound {
 
 /// A ball that was hit, whichever data sets it appears in.
 struct ObservedBall {
-  std::string name;
+  std::string name;  ///< no two are alike
   Sphere sphere;
   double mass_uncertainty = 0.0;  ///< one standard deviation [kg]
 };
@@ -50,7 +50,7 @@ struct ObservedScalar {
 
 /// One impact as a diagnosis sees it.
 struct ObservedShot {
-  std::string label;             ///< e.g. "core A, 15 m/s"
+  std::string label;             ///< e.g. "core A, 15 m/s"; no two are alike
   std::size_t ball = 0;          ///< index into Observations::balls
   double speed = 0.0;            ///< nominal [m/s]
   double speed_uncertainty = 0;  ///< one standard deviation [m/s]

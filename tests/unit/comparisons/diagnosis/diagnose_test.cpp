@@ -28,6 +28,13 @@ TEST(DiagnoseTest, NullsAgree) {
   EXPECT_LE(gaps, 2);
 }
 
+TEST(DiagnoseTest, RepeatedShotsOfANullAgree) {
+  SynthesisFile file = experiment_with({}, 3);
+  const auto once = file.shots;
+  file.shots.insert(file.shots.end(), once.begin(), once.end());
+  EXPECT_EQ(diagnose_hidden(file).verdict, DiagnosisVerdict::agrees);
+}
+
 struct Hidden {
   const char* title;
   EffectChoice effect;
@@ -58,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Hidden{"exponent", {"force-exponent", 0.1, {}}},
                       Hidden{"hysteresis", {"hysteresis", 0.25, {}}},
                       Hidden{"plate", {"plate-compliance", 2e-8, {{"mass", 5.0}}}}),
-    [](const auto& info) { return info.param.title; });
+    [](const auto& parameter) { return parameter.param.title; });
 
 TEST(DiagnoseTest, ASetIsInTheReportedSet) {
   // From one hit a speed a set looks like slow relaxation: both may stand there.
@@ -94,7 +101,7 @@ TEST(DiagnoseTest, TheSameSeedGivesTheSameDiagnosis) {
   const SynthesisFile file = experiment_with({{"hysteresis", 0.25, {}}}, 11);
   const Diagnosis one = diagnose_hidden(file), two = diagnose_hidden(file);
   EXPECT_EQ(one.best().values, two.best().values);
-  EXPECT_EQ(one.selection.score_threshold, two.selection.score_threshold);
+  EXPECT_EQ(one.selection.baseline.remaining_threshold, two.selection.baseline.remaining_threshold);
 }
 
 TEST(DiagnoseTest, ThePapersDampingFormulaIsTheFirstGap) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <string>
 
 #include "tests/unit/comparisons/diagnosis/hidden_cases.hpp"
 
@@ -52,12 +54,24 @@ TEST(ObservationsTest, FastSamplingIsAveragedWithItsNoise) {
   EXPECT_LT(seen.shots[0].history->noise, 10.0);
 }
 
+TEST(ObservationsTest, RepeatsHaveNamesOfTheirOwn) {
+  SynthesisFile file = testing::experiment_with({}, 3);
+  file.shots.push_back(file.shots.front());
+  const Dataset dataset = synthetic(file);
+  const Observations seen = observe({dataset, dataset});
+  std::set<std::string> labels;
+  for (const ObservedShot& shot : seen.shots) labels.insert(shot.label);
+  EXPECT_EQ(labels.size(), 8u);
+}
+
 TEST(ObservationsTest, OneBallInTwoDataSetsIsOne) {
   const Dataset dataset = synthetic(testing::experiment_with({}, 3));
   Dataset heavier = dataset;
   EXPECT_EQ(observe({dataset, dataset}).balls.size(), 1u);
   heavier.sphere.mass *= 1.1;
-  EXPECT_EQ(observe({dataset, heavier}).balls.size(), 2u);
+  const Observations two = observe({dataset, heavier});
+  ASSERT_EQ(two.balls.size(), 2u);
+  EXPECT_NE(two.balls[0].name, two.balls[1].name);
 }
 
 TEST(ObservationsTest, AScalarWithoutUncertaintyIsNotUsedAndSaid) {
