@@ -80,6 +80,8 @@ struct Diagnosis {
   std::shared_ptr<const TierGap> tier_gap;
   std::optional<HeldOutGap> unseen_before, unseen_after;
 
+  /// Has the search, or the repair of a formula, added to the believed model?
+  bool extended() const { return best().effects.size() > believed_effects; }
   /// The fit that the verdict rests on: the best candidate, or what the search
   /// started from.
   const HypothesisFit& best() const {

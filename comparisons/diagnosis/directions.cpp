@@ -75,12 +75,8 @@ std::optional<Eigen::VectorXd> residuals_with(const Observations& seen, const Hy
   with.effects.push_back(added);
   try {
     const JointModel model(seen, with);
-    std::vector<double> values = model.start();
     // Unknowns of the added effect stand as given, all others as fitted.
-    for (std::size_t i = 0; i < values.size(); ++i)
-      for (std::size_t j = 0; j < fit.values.size(); ++j)
-        if (model.unknowns()[i].name == fit.model->unknowns()[j].name) values[i] = fit.values[j];
-    const std::vector<double> residuals = model.residuals(values);
+    const std::vector<double> residuals = model.residuals(values_from(fit, model));
     return Eigen::Map<const Eigen::VectorXd>(residuals.data(),
                                              static_cast<Eigen::Index>(residuals.size()));
   } catch (const Error& error) {
@@ -92,8 +88,8 @@ std::optional<Eigen::VectorXd> residuals_with(const Observations& seen, const Hy
 }  // namespace
 
 Directions::Directions(const Observations& seen, const HypothesisFit& fit,
-                       const std::vector<std::string>& effects, Probing probing)
-    : fit_(fit) {
+                       std::vector<std::string> effects)
+    : seen_(seen), fit_(fit), effects_(std::move(effects)) {
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
   if (!fit.values.empty()) {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_at(*fit.model, fit.values));
@@ -101,20 +97,14 @@ Directions::Directions(const Observations& seen, const HypothesisFit& fit,
   } else {
     basis_.resize(rows, 0);
   }
-  for (const std::string& name : effects) {
+  for (const std::string& name : effects_) {
     const EffectCard& card = find_effect(name).card;
-    for (const EffectChoice& small : small_effects(card)) add_direction(seen, card, small);
-    if (probing == Probing::derivatives) continue;
-    for (const EffectChoice& finite : finite_effects(card)) add_probe(seen, finite);
+    for (const EffectChoice& small : small_effects(card)) add_direction(card, small);
   }
-  std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
-    return a.chi_square < b.chi_square;
-  });
 }
 
-void Directions::add_direction(const Observations& seen, const EffectCard& card,
-                               const EffectChoice& small) {
-  const auto moved = residuals_with(seen, fit_, small);
+void Directions::add_direction(const EffectCard& card, const EffectChoice& small) {
+  const auto moved = residuals_with(seen_, fit_, small);
   if (!moved) return;
   const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
   const double reach = std::isfinite(card.null) ? small.size - card.null : small.size;
@@ -126,9 +116,14 @@ void Directions::add_direction(const Observations& seen, const EffectCard& card,
   directions_.push_back(std::move(direction));
 }
 
-void Directions::add_probe(const Observations& seen, const EffectChoice& finite) {
-  if (const auto moved = residuals_with(seen, fit_, finite))
-    probes_.push_back({.effect = finite, .chi_square = project(*moved).squaredNorm()});
+void Directions::look_for_starts() {
+  for (const std::string& name : effects_)
+    for (const EffectChoice& finite : finite_effects(find_effect(name).card))
+      if (const auto moved = residuals_with(seen_, fit_, finite))
+        probes_.push_back({.effect = finite, .chi_square = project(*moved).squaredNorm()});
+  std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
+    return a.chi_square < b.chi_square;
+  });
 }
 
 std::vector<EffectChoice> Directions::starts(const std::string& name, std::size_t count) const {

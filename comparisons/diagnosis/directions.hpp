@@ -41,10 +41,13 @@ struct EffectProbe {
 class Directions {
  public:
   /// `effects` are those to be looked at; those without a form for this model,
-  /// or that the data cannot see at all, are left out. `fit` must outlive this.
-  enum class Probing { derivatives, derivatives_and_starts };
-  Directions(const Observations& seen, const HypothesisFit& fit,
-             const std::vector<std::string>& effects, Probing probing = Probing::derivatives);
+  /// or that the data cannot see at all, are left out. `seen` and
+  /// `fit` must outlive this.
+  Directions(const Observations& seen, const HypothesisFit& fit, std::vector<std::string> effects);
+
+  /// Tries finite sizes of every effect, for starts() and best_probe(). Apart,
+  /// since it takes an impact a shot and point of the grid.
+  void look_for_starts();
 
   const std::vector<EffectDirection>& all() const { return directions_; }
 
@@ -74,10 +77,11 @@ class Directions {
   Eigen::VectorXd project(const Eigen::VectorXd& column) const;
 
  private:
-  void add_direction(const Observations& seen, const EffectCard& card, const EffectChoice& probe);
-  void add_probe(const Observations& seen, const EffectChoice& probe);
+  void add_direction(const EffectCard& card, const EffectChoice& small);
 
+  const Observations& seen_;
   const HypothesisFit& fit_;
+  std::vector<std::string> effects_;
   Eigen::MatrixXd basis_;  ///< orthonormal columns of the fit's Jacobian
   std::vector<EffectDirection> directions_;
   std::vector<EffectProbe> probes_;  ///< best first

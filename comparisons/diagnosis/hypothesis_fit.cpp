@@ -11,26 +11,32 @@ namespace rebound {
 namespace {
 
 constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
+const CalibrationControls search_controls{
+    .relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
 
 CalibrationProblem problem_of(const JointModel& model) {
   CalibrationProblem problem;
   problem.parameters = model.unknowns();
   problem.residuals = [&model](const std::vector<double>& values) { return model.residuals(values); };
   problem.noise = NoiseKnowledge::known;
-  problem.controls = {.relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+  problem.controls = search_controls;
   return problem;
 }
 
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
-                       const std::map<std::string, double>& starts, const RunControl& control) {
+                       const HypothesisFit* near, const RunControl& control) {
   HypothesisFit fit;
   fit.hypothesis = hypothesis;
   const auto model = std::make_shared<const JointModel>(seen, hypothesis);
   fit.model = model;
   CalibrationProblem problem = problem_of(*model);
-  for (auto& parameter : problem.parameters)
-    if (const auto found = starts.find(parameter.name); found != starts.end())
-      parameter.start = std::clamp(found->second, parameter.lowest, parameter.highest);
+  if (near) {
+    const std::vector<double> starts = values_from(*near, *model);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      CalibrationParameter& unknown = problem.parameters[i];
+      unknown.start = std::clamp(starts[i], unknown.lowest, unknown.highest);
+    }
+  }
   if (problem.parameters.empty()) {
     fit.residuals = model->residuals({});
   } else {
@@ -56,16 +62,24 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
 
 }  // namespace
 
+std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model) {
+  std::map<std::string, double> fitted;
+  for (std::size_t i = 0; i < fit.values.size(); ++i)
+    fitted[fit.model->unknowns()[i].name] = fit.values[i];
+  std::vector<double> values = model.start();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const auto found = fitted.find(model.unknowns()[i].name); found != fitted.end())
+      values[i] = found->second;
+  return values;
+}
+
 HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
                              const RunControl& control) {
-  return fit_from(seen, hypothesis, {}, control);
+  return fit_from(seen, hypothesis, nullptr, control);
 }
 
 HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
                            const std::vector<EffectChoice>& starts, const RunControl& control) {
-  std::map<std::string, double> values;
-  for (std::size_t i = 0; i < near.values.size(); ++i)
-    values[near.model->unknowns()[i].name] = near.values[i];
   std::optional<HypothesisFit> best;
   Error failure(ExitCode::solver_failed, "the effect has no numbers to start from");
   for (const EffectChoice& start : starts) {
@@ -73,7 +87,7 @@ HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
     one.effects = near.effects;
     one.effects.push_back(start);
     try {
-      HypothesisFit fit = fit_from(seen, one, values, control);
+      HypothesisFit fit = fit_from(seen, one, &near, control);
       if (!best || fit.chi_square < best->chi_square) best = std::move(fit);
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
@@ -88,16 +102,10 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   Hypothesis hypothesis = fit.hypothesis;
   hypothesis.effects = fit.effects;
   const JointModel model(unseen, hypothesis);
-  std::map<std::string, double> known;
-  for (std::size_t i = 0; i < fit.values.size(); ++i)
-    known[fit.model->unknowns()[i].name] = fit.values[i];
-  std::vector<double> values = model.start();
+  std::vector<double> values = values_from(fit, model);
+  const std::vector<double> unseen_starts = model.start();
   const auto& own = model.shot_nuisances();
-  const auto is_own = [&](std::size_t i) { return std::find(own.begin(), own.end(), i) != own.end(); };
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (const auto found = known.find(model.unknowns()[i].name); found != known.end() && !is_own(i))
-      values[i] = found->second;
-
+  for (const std::size_t index : own) values[index] = unseen_starts[index];
   if (!own.empty()) {
     CalibrationProblem problem;
     for (const std::size_t index : own) problem.parameters.push_back(model.unknowns()[index]);
@@ -107,7 +115,7 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
       return model.residuals(all);
     };
     problem.noise = NoiseKnowledge::known;
-    problem.controls = {.relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+    problem.controls = search_controls;
     const CalibrationResult found = calibrate(problem);
     for (std::size_t k = 0; k < own.size(); ++k) values[own[k]] = found.estimates[k].value;
   }

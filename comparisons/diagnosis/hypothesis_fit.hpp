@@ -28,6 +28,10 @@ struct HypothesisFit {
   double reduced_chi_square() const { return data_chi_square / freedom; }
 };
 
+/// Values of a model's unknowns: as fitted for those of the same name, as the
+/// model starts for all others.
+std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model);
+
 /// Fits a hypothesis, effects included, from its numbers as they stand.
 /// Errors: as JointModel and calibrate().
 HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,

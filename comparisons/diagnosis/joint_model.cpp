@@ -97,9 +97,8 @@ void JointModel::add_nuisances() {
   constexpr double anything = 1e3;  // a bound that is none: priors hold nuisances
   const auto nuisance = [&](const std::string& name, const std::string& unit, double prior) {
     const double scale = prior;
-    nuisances_.push_back(add({.name = name, .unit = unit, .start = 0.0, .lowest = -anything * scale,
-                              .highest = anything * scale, .scale = scale}, prior));
-    return nuisances_.back();
+    return add({.name = name, .unit = unit, .start = 0.0, .lowest = -anything * scale,
+                .highest = anything * scale, .scale = scale}, prior);
   };
   double noise = 0.0;
   for (const auto& shot : seen_.shots)
@@ -122,7 +121,6 @@ void JointModel::add_nuisances() {
       own.start = add({.name = "start, " + shot.label, .unit = "s", .start = 0.0,
                        .lowest = shot.history->time.front() - span,
                        .highest = shot.history->time.back(), .scale = 1e-3 * span}, 0.0);
-      nuisances_.push_back(own.start);
       shot_nuisances_.push_back(own.start);
     }
     if (own.speed != none) shot_nuisances_.push_back(own.speed);

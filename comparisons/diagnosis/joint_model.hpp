@@ -59,9 +59,7 @@ class JointModel {
   /// Rows of data come first, then one row per prior.
   const std::vector<DataRow>& rows() const { return rows_; }
 
-  /// Indices of unknowns that are the instrument's, not the ball's.
-  const std::vector<std::size_t>& nuisances() const { return nuisances_; }
-  /// Those of them that belong to one shot: start of contact, speed.
+  /// Indices of unknowns that belong to one shot: start of contact, speed.
   const std::vector<std::size_t>& shot_nuisances() const { return shot_nuisances_; }
   /// Unknowns of effect k: size first (absent for a switch), then parameters.
   const std::vector<std::size_t>& unknowns_of_effect(std::size_t k) const {
@@ -105,7 +103,7 @@ class JointModel {
   std::vector<std::string> law_parameters_;
   std::vector<std::vector<std::size_t>> law_factors_;  ///< per ball, per parameter
   std::vector<std::vector<std::size_t>> effect_unknowns_;
-  std::vector<std::size_t> nuisances_, shot_nuisances_;
+  std::vector<std::size_t> shot_nuisances_;
   std::size_t gain_ = none, baseline_ = none;
   std::vector<std::size_t> mass_;
   std::vector<ShotUnknowns> shots_;

@@ -4,8 +4,8 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <functional>
 #include <set>
-#include <thread>
 
+#include "comparisons/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -34,36 +34,21 @@ std::vector<std::pair<std::string, double>> ranking(const Directions& around, do
   return ranked;
 }
 
-/// Runs independent fits on two threads; results keep their places.
+/// Fits that are independent of each other; effects that cannot act here, or
+/// whose impacts end nowhere, drop out.
 std::vector<std::optional<HypothesisFit>> fit_all(
     std::size_t count, const std::function<HypothesisFit(std::size_t)>& fit,
     const RunControl& control) {
   std::vector<std::optional<HypothesisFit>> results(count);
-  std::vector<std::exception_ptr> failures(count);
-  std::atomic<std::size_t> next = 0, done = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      if (control.interrupted && control.interrupted()) return;
-      try {
-        results[i] = fit(i);
-      } catch (const Error& error) {
-        // Effects that cannot act here, or whose impacts end nowhere, drop out.
-        if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input)
-          failures[i] = std::current_exception();
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-      ++done;
+  in_parallel(count, [&](std::size_t i) {
+    if (control.interrupted && control.interrupted())
+      throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
+    try {
+      results[i] = fit(i);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
     }
-  };
-  {
-    std::jthread second(work);
-    work();
-  }
-  for (const auto& failure : failures)
-    if (failure) std::rethrow_exception(failure);
-  if (control.interrupted && control.interrupted())
-    throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
+  });
   return results;
 }
 
@@ -119,20 +104,18 @@ JudgedFit judge(const Observations& seen, HypothesisFit fit, const std::vector<s
   return candidate;
 }
 
-EffectSelection select_effects(const Observations& seen, const Hypothesis& baseline,
-                         const std::vector<std::string>& effects, const SelectionRules& rules,
-                         std::uint64_t seed, const RunControl& control) {
+EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
+                               const std::vector<std::string>& effects, const SelectionRules& rules,
+                               std::uint64_t seed, const RunControl& control) {
   EffectSelection selection;
-  selection.baseline = judge(seen, fit_hypothesis(seen, baseline, control), effects, rules, seed);
+  selection.baseline = judge(seen, std::move(baseline), effects, rules, seed);
   const HypothesisFit& base = selection.baseline.fit;
-  const Directions around(seen, base, effects,
-                          selection.baseline.adequate ? Directions::Probing::derivatives
-                                                      : Directions::Probing::derivatives_and_starts);
+  Directions around(seen, base, effects);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
-  selection.score_threshold = around.threshold(rules.false_gap_level, seed);
   if (selection.baseline.adequate) return selection;
 
+  around.look_for_starts();
   auto ranked = ranking(around, base.chi_square);
   if (std::ssize(ranked) > rules.fitted_singles)
     ranked.resize(static_cast<std::size_t>(rules.fitted_singles));
@@ -165,7 +148,8 @@ EffectSelection select_effects(const Observations& seen, const Hypothesis& basel
     std::vector<std::string> others;
     for (const auto& name : effects)
       if (!names_of(single.effects).contains(name)) others.push_back(name);
-    const Directions near(seen, single, others, Directions::Probing::derivatives_and_starts);
+    Directions near(seen, single, others);
+    near.look_for_starts();
     for (const auto& [name, gain] : ranking(near, single.chi_square)) {
       const bool known = std::any_of(pairs.begin(), pairs.end(), [&](const Pair& p) {
         return Names{selection.tried[p.first].fit.effects.back().name, p.second} ==

@@ -37,9 +37,11 @@ struct EffectSelection {
   JudgedFit baseline;
   std::vector<EffectScore> scores;       ///< on the baseline's residuals
   Directions::Cosines cosines;
-  double score_threshold = 0.0;
   std::vector<JudgedFit> tried;          ///< all that were fitted, best criterion first
   std::vector<std::size_t> confusable;   ///< indices into `tried`: not to be told apart
+
+  /// Is there a model, with or without effects, that leaves nothing over?
+  bool explains() const { return baseline.adequate || !confusable.empty(); }
 };
 
 /// Looks for the smallest sets of effects that explain what the baseline does not.
@@ -51,8 +53,8 @@ struct EffectSelection {
 ///
 /// An empty `confusable` with an inadequate baseline means: not explained by
 /// anything in the list.
-EffectSelection select_effects(const Observations& seen, const Hypothesis& baseline,
-                         const std::vector<std::string>& effects, const SelectionRules& rules,
-                         std::uint64_t seed, const RunControl& control = {});
+EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
+                               const std::vector<std::string>& effects, const SelectionRules& rules,
+                               std::uint64_t seed, const RunControl& control = {});
 
 }  // namespace rebound

@@ -113,7 +113,6 @@ TierGap measure_tier_gap(const Observations& all, const Observations& seen,
     const std::vector<Impact> impacts = impacts_of(all, ball);
     if (impacts.empty()) continue;
     const FemProblem twin = fit_fem_twin(seen, ball, fit, fine_cells, control);
-    gap.youngs_modulus = twin.material.youngs_modulus;
     const auto fine = run_impacts(twin, impacts, fem_runner(twin.sphere, fine_cells, control));
     const auto coarse = run_impacts(twin, impacts, fem_runner(twin.sphere, coarse_cells, control));
     for (const auto* results : {&fine, &coarse})

@@ -34,9 +34,7 @@ struct TierGap {
   /// What two meshes of the twin differ by, rms over the contact, over the peak
   /// force: the part of the error budget that is FE's own [-].
   double numerical_uncertainty = 0.0;
-  double youngs_modulus = 0.0;  ///< of the twin, long-term [Pa]
 
-  bool none() const { return curves.empty(); }
   /// A lumped force history with the gap of that ball and speed added, from a
   /// tenth of the contact time before first touch to three tenths after it, or
   /// as far as the history goes.
