@@ -15,7 +15,7 @@ namespace {
 /// Inverts u(θ) = target on a monotone piece by Newton. Started from the outer
 /// end of the branch: u is concave while the force pushes, so that the
 /// iteration never jumps over the turning point.
-double solve(const Quintic& root, double target, double start) {
+double solve(const Septic& root, double target, double start) {
   double s = start;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const double rate = root.derivative(s);
@@ -32,7 +32,7 @@ class ForceDeflection {
  public:
   ForceDeflection(const Law& law, std::span<const Knot> knots) : law_(law), knots_(knots) {
     while (knots_[turn_ + 1].v > 0.0) ++turn_;
-    const Quintic root = piece(turn_);
+    const Septic root = piece(turn_);
     double low = 0.0, high = 1.0;  // bisection for v = 0: robust, and done once
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
@@ -48,13 +48,13 @@ class ForceDeflection {
     const Knot& outer = loading ? knots_.front() : knots_.back();
     if (u <= outer.u) return law_.force(outer.u * outer.u, outer.v);
     const std::size_t k = loading ? loading_piece(u) : unloading_piece(u);
-    const Quintic root = piece(k);
+    const Septic root = piece(k);
     const double s = solve(root, u, loading ? 0.0 : 1.0);
     return law_.force(u * u, root.derivative(s) / knots_[k].step);
   }
 
  private:
-  Quintic piece(std::size_t k) const {
+  Septic piece(std::size_t k) const {
     return {knots_[k].root(), knots_[k + 1].root(), knots_[k].step};
   }
   std::size_t loading_piece(double u) const {

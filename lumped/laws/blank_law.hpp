@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "lumped/laws/contact_law.hpp"
 
 namespace rebound {
@@ -41,6 +43,11 @@ struct BlankLaw {
   double elastic_force(double x) const { return stiffness * x; }
   double damping_force(double, double) const { return 0.0; }
   double force(double x, double v) const { return elastic_force(x) + damping_force(x, v); }
+  ForceSlopes at_root(double u, double) const {
+    const double elastic = stiffness * u * std::abs(u);
+    return {.force = elastic, .damping = 0.0, .by_log_deflection = elastic, .by_speed = 0.0};
+  }
+  double slope_by(std::size_t, double u, double) const { return u * std::abs(u); }
   double elastic_energy(double x) const { return 0.5 * stiffness * x * x; }
 };
 

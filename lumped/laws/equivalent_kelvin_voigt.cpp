@@ -33,7 +33,9 @@ EquivalentKelvinVoigt EquivalentKelvinVoigt::from(const ParameterValues& values)
   const double n = values.at("exponent");
   const double deflection = values.at("representative_deflection");
   return {.linear_stiffness = values.at("stiffness") * std::pow(deflection, n - 1.0),
-          .linear_damping = values.at("damping") * std::pow(deflection, n)};
+          .linear_damping = values.at("damping") * std::pow(deflection, n),
+          .exponent = n,
+          .representative_deflection = deflection};
 }
 
 double EquivalentKelvinVoigt::damping_for(const DampingRequest& request) {

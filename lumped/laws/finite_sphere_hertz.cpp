@@ -29,6 +29,14 @@ double root_of(double g) {
   return w;
 }
 
+/// dC/dν on the table's piece that holds ν; at a knot the lower one.
+double coefficient_slope(double poisson_ratio) {
+  std::size_t i = 1;
+  while (i + 1 < one_plate.size() && poisson_ratio > one_plate[i].poisson_ratio) ++i;
+  const auto &a = one_plate[i - 1], &b = one_plate[i];
+  return (b.value - a.value) / (b.poisson_ratio - a.poisson_ratio);
+}
+
 double energy_within(double stiffness, double g, double x) {
   const double w = root_of(g), w5 = w * w * w * w * w;
   return stiffness * x * x * std::sqrt(x) * (0.4 - 0.5 * g / w) / w5;
@@ -84,16 +92,47 @@ FiniteSphereHertz FiniteSphereHertz::from(const ParameterValues& values) {
   law.correction = 4.0 / 3.0 * finite_sphere_coefficient(nu) /
                    ((1.0 - nu * nu) * std::sqrt(values.at("radius")));
   law.last_deflection = (last_g / law.correction) * (last_g / law.correction);
+  law.radius = values.at("radius");
+  law.poisson_slope =
+      coefficient_slope(nu) / finite_sphere_coefficient(nu) + 2.0 * nu / (1.0 - nu * nu);
   return law;
 }
 
-FiniteSphereHertz::Elastic FiniteSphereHertz::elastic(double x) const {
-  const double within = std::min(x, last_deflection);
-  const double w = root_of(correction * std::sqrt(within)), w2 = w * w;
-  Elastic e{.force = stiffness * within * std::sqrt(within) / (w * w2),
-            .exponent = 3.0 * w2 / (3.0 * w2 - 1.0)};
-  if (x > last_deflection) e.force *= std::pow(x / last_deflection, e.exponent);
+FiniteSphereHertz::Elastic FiniteSphereHertz::elastic_at(double root) const {
+  const double g = std::min(correction * root, last_g);
+  const double w = root_of(g), w2 = w * w, divisor = 1.0 / (3.0 * w2 - 1.0);
+  const double within = g == last_g ? std::sqrt(last_deflection) : root;
+  Elastic e{.force = stiffness * within * within * within / (w * w2),
+            .exponent = 3.0 * w2 * divisor,
+            .exponent_slope = 3.0 * w * g * divisor * divisor * divisor};
+  if (root > within) {
+    e.force *= std::pow(root / within, 2.0 * e.exponent);
+    e.exponent_slope = 0.0;
+  }
   return e;
+}
+
+ForceSlopes FiniteSphereHertz::at_root(double u, double v) const {
+  const double root = std::abs(u);
+  if (root == 0.0) return {};
+  const Elastic e = elastic_at(root);
+  const double n = e.exponent, force = std::copysign(e.force, u);
+  const double slope = dissipation_time * n * e.force / (root * root), lost = slope * v;
+  return {force + lost, lost, n * force + (n - 1.0 + e.exponent_slope / n) * lost, slope};
+}
+
+double FiniteSphereHertz::slope_by(std::size_t parameter, double u, double v) const {
+  const double root = std::abs(u);
+  if (root == 0.0) return 0.0;
+  const Elastic e = elastic_at(root);
+  const double n = e.exponent, force = std::copysign(e.force, u);
+  const double rate = n * e.force / (root * root) * v, lost = dissipation_time * rate;
+  if (parameter == 0) return (force + lost) / stiffness;
+  if (parameter == 1) return rate;
+  // F_e/x^1.5 depends on g = correction √x alone, hence on ln correction as on 2 ln x.
+  const double by_log_correction =
+      (2.0 * n - 3.0) * (force + lost) + 2.0 * e.exponent_slope / n * lost;
+  return by_log_correction * (parameter == 2 ? poisson_slope : -0.5 / radius);
 }
 
 double FiniteSphereHertz::elastic_energy(double x) const {

@@ -36,6 +36,8 @@ struct FiniteSphereHertz {
   double dissipation_time = 0.0;
   double correction = 0.0;          ///< g/√x [m^-0.5]
   double last_deflection = 0.0;     ///< where the power law takes over [m]
+  double radius = 1.0;              ///< R [m]
+  double poisson_slope = 0.0;       ///< d ln g/dν [-]
 
   static LawCard card();
   static FiniteSphereHertz from(const ParameterValues& values);
@@ -44,10 +46,13 @@ struct FiniteSphereHertz {
 
   /// Elastic force at |x| and its logarithmic slope n = d ln F_e/d ln x.
   struct Elastic {
-    double force = 0.0;     ///< [N]
-    double exponent = 1.5;  ///< [-]
+    double force = 0.0;           ///< [N]
+    double exponent = 1.5;        ///< [-]
+    double exponent_slope = 0.0;  ///< dn/d ln x [-]
   };
-  Elastic elastic(double x) const;
+  /// `root` is √|x|.
+  Elastic elastic_at(double root) const;
+  Elastic elastic(double x) const { return elastic_at(std::sqrt(x)); }
 
   double elastic_force(double x) const { return std::copysign(elastic(std::abs(x)).force, x); }
   double damping_force(double x, double v) const {
@@ -59,6 +64,8 @@ struct FiniteSphereHertz {
     const Elastic e = elastic(size);
     return std::copysign(e.force, x) + e.exponent * e.force / size * dissipation_time * v;
   }
+  ForceSlopes at_root(double u, double v) const;
+  double slope_by(std::size_t parameter, double u, double v) const;
   double elastic_energy(double x) const;
 
  private:

@@ -33,6 +33,14 @@ struct HertzDamped {
   double force(double x, double v) const {
     return std::sqrt(std::abs(x)) * (stiffness * x + damping * v);
   }
+  ForceSlopes at_root(double u, double v) const {
+    const double root = std::abs(u);
+    const double elastic = stiffness * u * u * u, lost = damping * root * v;
+    return {elastic + lost, lost, 1.5 * elastic + 0.5 * lost, damping * root};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    return parameter == 0 ? u * u * u : std::abs(u) * v;
+  }
   double elastic_energy(double x) const {
     return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
   }

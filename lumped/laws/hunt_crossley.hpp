@@ -39,8 +39,33 @@ struct HuntCrossley {
     const double xn = power(std::abs(x));
     return std::copysign(stiffness * xn, x) + damping * xn * v;
   }
+  ForceSlopes at_root(double u, double v) const {
+    return with_power(power.of_root(std::abs(u)), u, v);
+  }
+  /// The law once its power is known to be Hertz's: nothing is left to choose in a loop.
+  struct Hertz;
+  ForceSlopes with_power(double xn, double u, double v) const {
+    const double elastic = std::copysign(stiffness * xn, u), lost = damping * xn * v;
+    return {elastic + lost, lost, power.exponent() * (elastic + lost), damping * xn};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    const double xn = power.of_root(std::abs(u));
+    switch (parameter) {
+      case 0: return (std::copysign(stiffness * xn, u) + damping * xn * v) * log_of_root(u);
+      case 1: return std::copysign(xn, u);
+      default: return xn * v;
+    }
+  }
   double elastic_energy(double x) const {
     return stiffness * std::abs(x) * power(std::abs(x)) / (power.exponent() + 1.0);
+  }
+};
+
+struct HuntCrossley::Hertz {
+  HuntCrossley law;
+
+  ForceSlopes at_root(double u, double v) const {
+    return law.with_power(std::abs(u * u * u), u, v);
   }
 };
 

@@ -39,6 +39,15 @@ struct KuwabaraKono {
   double force(double x, double v) const {
     return stiffness * std::sqrt(std::abs(x)) * (x + 1.5 * dissipation_time * v);
   }
+  ForceSlopes at_root(double u, double v) const {
+    const double elastic = stiffness * u * u * u;
+    const double slope = 1.5 * dissipation_time * stiffness * std::abs(u), lost = slope * v;
+    return {elastic + lost, lost, 1.5 * elastic + 0.5 * lost, slope};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    if (parameter == 0) return u * u * u + 1.5 * dissipation_time * std::abs(u) * v;
+    return 1.5 * stiffness * std::abs(u) * v;
+  }
   double elastic_energy(double x) const {
     return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
   }

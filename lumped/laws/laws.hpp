@@ -33,6 +33,15 @@ void for_each_law(Visitor&& visit) {
 /// Cards of all laws, in the order of the list.
 const std::vector<LawCard>& all_laws();
 
+/// Calls `visit.template operator()<Law>()` for the law of that name alone.
+template <class Visitor>
+void for_law(const std::string& name, Visitor&& visit) {
+  auto card = all_laws().begin();
+  for_each_law([&]<class Law>() {
+    if ((card++)->name == name) visit.template operator()<Law>();
+  });
+}
+
 /// Errors: Error(bad_input) with the names there are.
 const LawCard& find_law(const std::string& name);
 

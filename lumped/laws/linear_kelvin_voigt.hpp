@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "lumped/laws/contact_law.hpp"
 
 namespace rebound {
@@ -30,6 +32,13 @@ struct LinearKelvinVoigt {
   double elastic_force(double x) const { return stiffness * x; }
   double damping_force(double, double v) const { return damping * v; }
   double force(double x, double v) const { return stiffness * x + damping * v; }
+  ForceSlopes at_root(double u, double v) const {
+    const double elastic = stiffness * u * std::abs(u);
+    return {elastic + damping * v, damping * v, elastic, damping};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    return parameter == 0 ? u * std::abs(u) : v;
+  }
   double elastic_energy(double x) const { return 0.5 * stiffness * x * x; }
 };
 

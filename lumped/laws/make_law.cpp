@@ -85,18 +85,16 @@ void check_damping_given_once(const LumpedModel& model, const LawCard& card) {
 
 double damping_by_formula(const LawCard& card, const DampingRequest& request) {
   double damping = std::numeric_limits<double>::quiet_NaN();
-  for_each_law([&]<class Law>() {
-    if constexpr (requires { Law::damping_for(request); })
-      if (card.name == Law::card().name) damping = Law::damping_for(request);
+  for_law(card.name, [&]<class Law>() {
+    if constexpr (requires { Law::damping_for(request); }) damping = Law::damping_for(request);
   });
   return damping;
 }
 
 /// What a law takes from the sphere where the user gave nothing.
 void complete_from_sphere(const LawCard& card, ParameterValues& values, const Sphere& sphere) {
-  for_each_law([&]<class Law>() {
-    if constexpr (requires { Law::complete(values, sphere); })
-      if (card.name == Law::card().name) Law::complete(values, sphere);
+  for_law(card.name, [&]<class Law>() {
+    if constexpr (requires { Law::complete(values, sphere); }) Law::complete(values, sphere);
   });
 }
 
@@ -148,9 +146,7 @@ ParameterValues resolve_parameters(const LumpedModel& model, const Impact& impac
 AnyLaw make_law(const LumpedModel& model, const Impact& impact, const Sphere& sphere) {
   const ParameterValues values = resolve_parameters(model, impact, sphere);
   AnyLaw law;
-  for_each_law([&]<class Law>() {
-    if (model.law == Law::card().name) law = Law::from(values);
-  });
+  for_law(model.law, [&]<class Law>() { law = Law::from(values); });
   return law;
 }
 

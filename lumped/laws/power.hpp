@@ -19,6 +19,8 @@ class Power {
   }
 
   double exponent() const { return exponent_; }
+  /// Is it Hertz's, x^{3/2}?
+  bool hertz() const { return halves_ == 3; }
 
   double operator()(double x) const {
     switch (halves_) {
@@ -32,9 +34,25 @@ class Power {
     }
   }
 
+  /// (u²)ⁿ for u = √x ≥ 0: products alone where n is a half.
+  double of_root(double u) const {
+    switch (halves_) {
+      case 0: return 1.0;
+      case 1: return u;
+      case 2: return u * u;
+      case 3: return u * u * u;
+      case 4: return (u * u) * (u * u);
+      case 5: return (u * u) * (u * u) * u;
+      default: return std::pow(u, 2.0 * exponent_);
+    }
+  }
+
  private:
   double exponent_;
   int halves_ = -1;
 };
+
+/// ln x for x = u² > 0, and 0 at x = 0, where it only ever stands beside a vanishing power.
+inline double log_of_root(double u) { return u == 0.0 ? 0.0 : 2.0 * std::log(std::abs(u)); }
 
 }  // namespace rebound

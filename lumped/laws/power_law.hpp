@@ -37,6 +37,23 @@ struct PowerLaw {
     return damping * damping_power(std::abs(x)) * v;
   }
   double force(double x, double v) const { return elastic_force(x) + damping_force(x, v); }
+  ForceSlopes at_root(double u, double v) const {
+    const double size = std::abs(u), slope = damping * damping_power.of_root(size);
+    const double elastic = std::copysign(stiffness * elastic_power.of_root(size), u);
+    const double lost = slope * v;
+    return {elastic + lost, lost,
+            elastic_power.exponent() * elastic + damping_power.exponent() * lost, slope};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    const double size = std::abs(u);
+    switch (parameter) {
+      case 0: return damping * damping_power.of_root(size) * v * log_of_root(u);
+      case 1:
+        return std::copysign(stiffness * elastic_power.of_root(size), u) * log_of_root(u);
+      case 2: return std::copysign(elastic_power.of_root(size), u);
+      default: return damping_power.of_root(size) * v;
+    }
+  }
   double elastic_energy(double x) const {
     return elastic_force(x) * x / (elastic_power.exponent() + 1.0);
   }

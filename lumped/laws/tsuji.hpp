@@ -43,6 +43,14 @@ struct Tsuji {
     const double root = std::sqrt(std::abs(x));
     return stiffness * x * root + damping * std::sqrt(root) * v;
   }
+  ForceSlopes at_root(double u, double v) const {
+    const double quarter = std::sqrt(std::abs(u));
+    const double elastic = stiffness * u * u * u, lost = damping * quarter * v;
+    return {elastic + lost, lost, 1.5 * elastic + 0.25 * lost, damping * quarter};
+  }
+  double slope_by(std::size_t parameter, double u, double v) const {
+    return parameter == 0 ? u * u * u : std::sqrt(std::abs(u)) * v;
+  }
   double elastic_energy(double x) const {
     return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
   }

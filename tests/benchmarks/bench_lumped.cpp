@@ -3,26 +3,32 @@
 // exclude process start and include making the law and the shared scalars.
 #include <benchmark/benchmark.h>
 
+#include <string>
+
 #include "lumped/integration/closed_forms.hpp"
 #include "lumped/integration/fast_integrator.hpp"
 #include "lumped/integration/simulate.hpp"
+#include "lumped/laws/laws.hpp"
 #include "tests/support/lumped_cases.hpp"
 
 namespace {
 
 using namespace rebound;
 
-LumpedProblem problem_at(double tolerance, const char* law = "hunt-crossley") {
+LumpedProblem problem_at(double tolerance, const std::string& law = "hunt-crossley") {
   LumpedProblem problem = test::typical_problem(law);
   problem.controls = {.relative_tolerance = tolerance, .samples = 200};
   return problem;
 }
 
-void trace_fast(benchmark::State& state) {
-  const auto problem = problem_at(1e-8);
+double tolerance_of(const benchmark::State& state) {
+  return std::pow(10.0, -static_cast<double>(state.range()));
+}
+
+void trace_fast(benchmark::State& state, const std::string& law) {
+  const auto problem = problem_at(tolerance_of(state), law);
   for (auto _ : state) benchmark::DoNotOptimize(simulate_fast(problem));
 }
-BENCHMARK(trace_fast)->Unit(benchmark::kMicrosecond);
 
 void trace_cvode(benchmark::State& state) {
   const auto problem = problem_at(1e-8);
@@ -48,7 +54,7 @@ void integrator(benchmark::State& state, bool samples) {
   const HuntCrossley law{.stiffness = 3.5e6, .damping = 17.63e4, .power = Power(1.5)};
   const ContactSetup setup{.mass = 0.0896, .speed = 15.0,
                            .separation = SeparationRule::zero_force,
-                           .relative_tolerance = std::pow(10.0, -static_cast<double>(state.range()))};
+                           .relative_tolerance = tolerance_of(state)};
   std::array<double, 200> time, force, deflection;
   for (auto _ : state) {
     FastIntegrator<HuntCrossley> run(law, setup);
@@ -71,5 +77,14 @@ void restitution_exact(benchmark::State& state) {
   }
 }
 BENCHMARK(restitution_exact)->Unit(benchmark::kMicrosecond);
+
+const int every_law = [] {
+  for (const auto& card : all_laws())
+    benchmark::RegisterBenchmark(("trace_fast/" + card.name).c_str(), trace_fast, card.name)
+        ->Arg(6)
+        ->Arg(9)
+        ->Unit(benchmark::kMicrosecond);
+  return 0;
+}();
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "lumped/integration/dormand_prince.hpp"
-#include "lumped/integration/quintic.hpp"
+#include "lumped/integration/eighth_order_step.hpp"
+#include "lumped/integration/septic.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/problem/error.hpp"
@@ -95,16 +96,92 @@ TEST(DormandPrinceTest, ObservedOrder) {
   EXPECT_NEAR(order, 5.0, 0.2);
 }
 
-TEST(QuinticTest, ReproducesFifthDegree) {
-  const auto value = [](double x) { return 1 + x * (2 + x * (-3 + x * (4 + x * (-5 + x * 6)))); };
-  const auto slope = [](double x) { return 2 + x * (-6 + x * (12 + x * (-20 + x * 30))); };
-  const auto curvature = [](double x) { return -6 + x * (24 + x * (-60 + x * 120)); };
+// The oscillator over a unit of time; the quadrature of its velocity is its displacement.
+using Oscillator = EighthOrderStep<2, 1>;
+
+Oscillator::Slope oscillate(const Oscillator::State& y) { return {{y[1], -y[0]}, {y[1]}}; }
+
+TEST(EighthOrderStepTest, ObservedOrder) {
+  const auto error_with = [](int steps) {
+    Oscillator step;
+    Oscillator::State y = {0.0, 1.0};
+    for (int i = 0; i < steps; ++i) {
+      step.take(oscillate, y, oscillate(y), 1.0 / steps);
+      y = step.y;
+    }
+    return std::abs(y[0] - std::sin(1.0));
+  };
+  EXPECT_NEAR(std::log2(error_with(1) / error_with(2)), 8.0, 0.5);
+}
+
+TEST(EighthOrderStepTest, QuadratureOfTheSlopeIsTheState) {
+  Oscillator step;
+  const Oscillator::State start = {0.3, 1.0};
+  step.take(oscillate, start, oscillate(start), 0.7);
+  EXPECT_NEAR(start[0] + step.gained[0], step.y[0], 1e-15);
+  EXPECT_NEAR(step.gained_error5[0], step.error5[0], 1e-15);
+  EXPECT_NEAR(step.gained_error3[0], step.error3[0], 1e-15);
+}
+
+// Embedded errors fall with the sixth and fourth power of the step.
+TEST(EighthOrderStepTest, EmbeddedErrorsHaveTheirOrder) {
+  const auto errors = [](double h) {
+    Oscillator step;
+    const Oscillator::State start = {0.3, 1.0};
+    step.take(oscillate, start, oscillate(start), h);
+    return std::pair{std::hypot(step.error5[0], step.error5[1]),
+                     std::hypot(step.error3[0], step.error3[1])};
+  };
+  const auto [five, three] = errors(0.4);
+  const auto [five_half, three_half] = errors(0.2);
+  EXPECT_NEAR(std::log2(five / five_half), 6.0, 0.5);
+  EXPECT_NEAR(std::log2(three / three_half), 4.0, 0.5);
+}
+
+TEST(SepticTest, ReproducesSeventhDegree) {
+  // Σ (k+1) (−1)ᵏ xᵏ and its derivatives.
+  const auto derivative = [](int order, double x) {
+    double sum = 0.0;
+    for (int k = order; k <= 7; ++k) {
+      double factor = (k % 2 ? -1.0 : 1.0) * (k + 1);
+      for (int j = 0; j < order; ++j) factor *= k - j;
+      sum += factor * std::pow(x, k - order);
+    }
+    return sum;
+  };
+  const auto end_at = [&](double x) {
+    return HermiteEnd{derivative(0, x), derivative(1, x), derivative(2, x), derivative(3, x)};
+  };
   const double a = 0.3, b = 1.1, h = b - a;
-  const Quintic q({value(a), slope(a), curvature(a)}, {value(b), slope(b), curvature(b)}, h);
+  const Septic path(end_at(a), end_at(b), h);
   for (double s : {0.0, 0.2, 0.7, 1.0}) {
-    EXPECT_NEAR(q.value(s), value(a + s * h), 1e-14);
-    EXPECT_NEAR(q.derivative(s) / h, slope(a + s * h), 1e-13);
+    EXPECT_NEAR(path.value(s), derivative(0, a + s * h), 1e-12);
+    EXPECT_NEAR(path.derivative(s) / h, derivative(1, a + s * h), 2e-12);
   }
+}
+
+// Samples lie between a few long steps: they are to be as good as the steps, whatever the
+// tolerance, for laws with kinks at first touch too.
+TEST(FastSamplesTest, AreAsGoodAsTheTolerance) {
+  for (const auto& card : all_laws())
+    for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection})
+      for (double share : {1.0, 0.05}) {  // of the law's damping
+        LumpedProblem problem = test::typical_problem(card.name);
+        problem.impact.separation = rule;
+        problem.model.parameters[test::loss_parameter(card.name)] *= share;
+        problem.controls.samples = 200;
+        problem.controls.relative_tolerance = 1e-12;
+        const LumpedResult exact = simulate_fast(problem);
+        for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-9}) {
+          problem.controls.relative_tolerance = tolerance;
+          const LumpedResult run = simulate_fast(problem);
+          SCOPED_TRACE(card.name + " at " + std::to_string(tolerance));
+          EXPECT_LT(largest_difference(run.trace.force, exact.trace.force),
+                    20.0 * tolerance * exact.scalars.peak_force);
+          EXPECT_LT(largest_difference(run.trace.deflection, exact.trace.deflection),
+                    20.0 * tolerance * exact.scalars.peak_deflection);
+        }
+      }
 }
 
 }  // namespace

@@ -85,6 +85,61 @@ TEST_P(LawBattery, ForceIsElasticPlusDamping) {
   });
 }
 
+TEST_P(LawBattery, RootFormIsTheForce) {
+  each_state([](const auto& l, double x, double v) {
+    for (double sign : {1.0, -1.0}) {
+      const ForceSlopes f = l.at_root(sign * std::sqrt(x), v);
+      const double size = std::abs(l.elastic_force(x)) + std::abs(l.damping_force(x, v));
+      EXPECT_NEAR(f.force, l.force(sign * x, v), 1e-13 * size);
+      EXPECT_NEAR(f.damping, l.damping_force(sign * x, v), 1e-13 * size);
+    }
+    EXPECT_EQ(l.at_root(0.0, v).force, l.force(0.0, v));
+  });
+}
+
+// Fourth-order central differences of `force`; 1e-8 is their rounding at this spacing.
+template <class F>
+double central_difference(const F& f, double at, double h) {
+  return (8.0 * (f(at + h) - f(at - h)) - (f(at + 2.0 * h) - f(at - 2.0 * h))) / (12.0 * h);
+}
+
+TEST_P(LawBattery, SlopesAreThoseOfTheForce) {
+  each_state([](const auto& l, double x, double v) {
+    const ForceSlopes f = l.at_root(std::sqrt(x), v);
+    const double size = std::abs(l.elastic_force(x)) + std::abs(l.damping_force(x, 15.0));
+    const double by_x =
+        central_difference([&](double at) { return l.force(at, v); }, x, 1e-3 * x);
+    EXPECT_NEAR(f.by_log_deflection, x * by_x, 1e-8 * size);
+    const double by_v = central_difference([&](double at) { return l.force(x, at); }, v, 0.1);
+    EXPECT_NEAR(f.by_speed, by_v, 1e-8 * size);
+  });
+}
+
+TEST_P(LawBattery, ParameterSlopesAreThoseOfTheForce) {
+  LumpedModel model = problem_.model;
+  // Away from a corner of the table of coefficients.
+  if (model.parameters.contains("poisson_ratio")) model.parameters["poisson_ratio"] = 0.37;
+  const auto& cards = find_law(GetParam()).parameters;
+  for (std::size_t i = 0; i < cards.size(); ++i) {
+    const double value = model.parameters.at(cards[i].name);
+    for (double x : {1e-4, 1e-3, 5e-3, 0.02})
+      for (double v : {-15.0, 1.0, 15.0}) {
+        const auto force_with = [&](double parameter) {
+          LumpedModel changed = model;
+          changed.parameters[cards[i].name] = parameter;
+          return std::visit([&](const auto& l) { return l.force(x, v); },
+                            make_law(changed, problem_.impact, problem_.sphere));
+        };
+        const double slope = std::visit(
+            [&](const auto& l) { return l.slope_by(i, std::sqrt(x), v); },
+            make_law(model, problem_.impact, problem_.sphere));
+        const double size = std::abs(force_with(value)) / value;
+        EXPECT_NEAR(slope, central_difference(force_with, value, 1e-3 * value), 1e-7 * size)
+            << cards[i].name << " at x = " << x << ", v = " << v;
+      }
+  }
+}
+
 TEST_P(LawBattery, DampingNeverFeedsEnergy) {
   each_state([](const auto& l, double x, double v) { EXPECT_GE(l.damping_force(x, v) * v, 0.0); });
 }
