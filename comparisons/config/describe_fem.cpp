@@ -24,15 +24,78 @@ void describe(Visitor& visit, PronyBranch& branch) {
                         {{"all", Relaxes::all}, {"deviator", Relaxes::deviator}}, branch.relaxes);
 }
 
+namespace {
+
+const std::vector<std::pair<std::string, ElasticModel>> elastic_names = {
+    {"neo-hookean", ElasticModel::neo_hookean},
+    {"neo-hookean-isochoric", ElasticModel::neo_hookean_isochoric},
+    {"mooney-rivlin", ElasticModel::mooney_rivlin},
+    {"ogden", ElasticModel::ogden},
+    {"hyperfoam", ElasticModel::hyperfoam}};
+
+void describe_term(Visitor& visit, StretchTerm& term, ElasticModel elastic) {
+  visit.number({.name = "weight",
+                .sentence = "Share of the shear modulus, up to a factor common to all terms; "
+                            "published moduli can stand here as plain numbers.",
+                .range = above(0.0)},
+               term.weight);
+  visit.number({.name = "exponent",
+                .sentence = "Exponent alpha, not 0: 2 mu/alpha^2 (l1^alpha + l2^alpha + l3^alpha "
+                            "- 3).",
+                .range = from_to(-50.0, 50.0)},
+               term.exponent);
+  if (elastic == ElasticModel::hyperfoam)
+    visit.number({.name = "beta",
+                  .sentence = "beta = nu/(1 - 2 nu) of this term; absent: of poisson_ratio. Given "
+                              "ones must lead to poisson_ratio.",
+                  .presence = Presence::optional,
+                  .range = {.lowest = -1.0 / 3.0, .highest = 100.0, .lowest_allowed = false}},
+                 term.beta);
+}
+
+/// Keys that belong to one elastic law alone.
+void describe_shape(Visitor& visit, Material& material) {
+  std::vector<std::string> names;
+  std::string chosen;
+  for (const auto& [name, model] : elastic_names) {
+    names.push_back(name);
+    if (model == material.elastic) chosen = name;
+  }
+  const auto choose = [&](const std::string& name) {
+    for (const auto& [known, model] : elastic_names)
+      if (known == name) material.elastic = model;
+  };
+  visit.cases(names, chosen, choose, [&](Visitor& inner) {
+    if (material.elastic == ElasticModel::mooney_rivlin)
+      inner.number({.name = "second_share",
+                    .sentence = "C01/(C10 + C01); 0 leaves the first invariant alone.",
+                    .presence = Presence::optional,
+                    .range = from_to(0.0, 1.0)},
+                   material.second_share);
+    if (material.elastic != ElasticModel::ogden && material.elastic != ElasticModel::hyperfoam)
+      return;
+    inner.visit_list({.name = "term",
+                      .sentence = "One term of the energy; repeat for more, six at most.",
+                      .presence = Presence::required},
+                     {[&] { return material.terms.size(); },
+                      [&](std::size_t n) { material.terms.resize(n); },
+                      [&](Visitor& one, std::size_t i) {
+                        StretchTerm example;
+                        describe_term(one, i < material.terms.size() ? material.terms[i] : example,
+                                      material.elastic);
+                      }});
+  });
+}
+
+}  // namespace
+
 void describe(Visitor& visit, Material& material) {
   visit.choice<ElasticModel>(
       {.name = "elastic",
-       .sentence = "Stored energy: mu/2 (I1 - 3 - 2 ln J) + lambda/2 (ln J)^2, or "
-                   "mu/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2.",
-       .later = {"mooney-rivlin", "ogden", "hyperfoam"}},
-      {{"neo-hookean", ElasticModel::neo_hookean},
-       {"neo-hookean-isochoric", ElasticModel::neo_hookean_isochoric}},
-      material.elastic);
+       .sentence = "Stored energy: mu/2 (I1 - 3 - 2 ln J) + lambda/2 (ln J)^2; or "
+                   "mu/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2; or by its two invariants "
+                   "(mooney-rivlin) or principal stretches (ogden, hyperfoam: give terms)."},
+      elastic_names, material.elastic);
   visit.number({.name = "youngs_modulus",
                 .sentence = "Young's modulus at small strain.",
                 .unit = "MPa",
@@ -56,6 +119,7 @@ void describe(Visitor& visit, Material& material) {
               .allowed = {"convolution"},
               .later = {"multiplicative"}},
              relaxation);
+  describe_shape(visit, material);
   visit.list({.name = "branch",
               .sentence = "One Prony branch; repeat for more.",
               .presence = Presence::optional},

@@ -52,6 +52,37 @@ void check_shares(const Document& document, const Material& material) {
   }
 }
 
+/// What the terms of an energy must be together; the solver holds the same.
+void check_terms(const Document& document, const Material& material) {
+  const bool foam = material.elastic == ElasticModel::hyperfoam;
+  if (!foam && material.elastic != ElasticModel::ogden) return;
+  constexpr std::size_t most = 6;
+  if (material.terms.empty() || material.terms.size() > most)
+    throw document.error_at("model.material.elastic",
+                            fmt::format("this law has {} terms [[model.material.term]]",
+                                        material.terms.size()),
+                            fmt::format("1 to {} terms", most));
+  double weights = 0.0, betas = 0.0, given = 0.0;
+  for (std::size_t i = 0; i < material.terms.size(); ++i) {
+    const StretchTerm& term = material.terms[i];
+    if (term.exponent == 0.0)
+      throw document.error_at(fmt::format("model.material.term[{}].exponent", i),
+                              "an exponent of 0 has no energy", "-50 to 50, not 0");
+    weights += term.weight;
+    betas += term.weight * term.beta.value_or(0.0);
+    given += term.beta ? 1.0 : 0.0;
+  }
+  if (!foam || given == 0.0) return;
+  if (given < static_cast<double>(material.terms.size()))
+    throw document.error_at("model.material.term[0]", "beta stands in some terms only",
+                            "beta in every term or in none");
+  const double mean = betas / weights, poisson_ratio = mean / (1.0 + 2.0 * mean);
+  if (std::abs(poisson_ratio - material.poisson_ratio) > 0.002)
+    throw document.error_at("model.material.poisson_ratio",
+                            "the betas of the terms lead to another Poisson ratio",
+                            fmt::format("{:.4g}, within 0.002", poisson_ratio));
+}
+
 /// Speed of shear waves before anything has relaxed.
 double instantaneous_shear_speed(const FemProblem& problem) {
   const Material& material = problem.material;
@@ -85,6 +116,7 @@ void check_fem(const Document& document, const FemProblem& problem) {
                             "give a wrong force",
                             "-1 < value <= 0.45");
   check_shares(document, problem.material);
+  check_terms(document, problem.material);
   const double wave = instantaneous_shear_speed(problem);
   if (problem.impact.speed >= wave)
     throw document.error_at(

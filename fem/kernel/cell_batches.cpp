@@ -48,7 +48,7 @@ std::vector<int> deal_cells(const Discretisation& body, int width) {
 }  // namespace
 
 CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants& material,
-                         ElasticModel elastic, int width)
+                         int width)
     : width_(width) {
   const std::vector<int> order = deal_cells(body, width);
   const std::vector<double> frequencies = cell_frequencies(body, material.instantaneous);
@@ -83,9 +83,7 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
   arrays_.nodes = nodes_.data();
   arrays_.geometry = geometry_.data();
   arrays_.rest_frequency_squared = rest_frequency_squared_.data();
-  arrays_.elastic = elastic;
-  arrays_.shear_modulus = material.instantaneous.shear;
-  arrays_.bulk_modulus = material.instantaneous.bulk;
+  arrays_.elastic = material.elastic;
   arrays_.long_term_deviatoric = material.long_term_deviatoric;
   arrays_.long_term_volumetric = material.long_term_volumetric;
   arrays_.branches = static_cast<int>(material.branches.size());

@@ -12,8 +12,7 @@ namespace rebound::fem {
 /// had: the lanes then write to different places.
 class CellBatches {
  public:
-  CellBatches(const Discretisation& body, const ViscoelasticConstants& material,
-              ElasticModel elastic, int width);
+  CellBatches(const Discretisation& body, const ViscoelasticConstants& material, int width);
   CellBatches(const CellBatches&) = delete;  // arrays_ points into this object
   CellBatches& operator=(const CellBatches&) = delete;
 

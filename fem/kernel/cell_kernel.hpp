@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lumped/problem/material.hpp"
+#include "fem/materials/elastic_constants.hpp"
 
 /// Interface between the schemes and the vectorised cell kernels: raw arrays
 /// only, so that a kernel file compiled for a wide instruction set shares no
@@ -40,9 +40,7 @@ struct CellArrays {
   const int* nodes = nullptr;       ///< [batch][4][width]
   const double* geometry = nullptr; ///< [batch][4 points][geometry_stride][width]
   const double* rest_frequency_squared = nullptr;  ///< [batch][width], ω² of the cell at rest [1/s²]
-  ElasticModel elastic = ElasticModel::neo_hookean;
-  double shear_modulus = 0.0;       ///< instantaneous [Pa]
-  double bulk_modulus = 0.0;        ///< instantaneous [Pa]
+  ElasticConstants elastic;         ///< with the instantaneous moduli
   double long_term_deviatoric = 1.0;
   double long_term_volumetric = 1.0;
   int branches = 0;

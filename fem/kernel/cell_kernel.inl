@@ -3,8 +3,7 @@
 
 #include "fem/kernel/cell_kernel.hpp"
 #include "fem/kernel/simd.hpp"
-#include "fem/materials/neo_hookean.hpp"
-#include "fem/materials/neo_hookean_isochoric.hpp"
+#include "fem/materials/with_elastic.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -138,10 +137,10 @@ inline Real inverse_eigenvalue_bound(const Symmetric<Real>& inverse) {
   return larger(half_sum + root, inverse.tt);
 }
 
-template <class Elastic>
-CellSummary internal_forces_of(const CellArrays& cells, const BranchStep* branches,
-                               const double* displacement, double* history, double* force) {
-  const Elastic elastic{{cells.shear_modulus, cells.bulk_modulus}};
+template <Elastic<Real> Law>
+CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
+                               const BranchStep* branches, const double* displacement,
+                               double* history, double* force) {
   const Real zero = {};
   const Real long_term_deviatoric = zero + cells.long_term_deviatoric;
   const Real long_term_volumetric = zero + cells.long_term_volumetric;
@@ -196,9 +195,8 @@ CellSummary internal_forces_of(const CellArrays& cells, const BranchStep* branch
   return summary;
 }
 
-template <class Elastic>
-double stored_energy_of(const CellArrays& cells, const double* displacement) {
-  const Elastic elastic{{cells.shear_modulus, cells.bulk_modulus}};
+template <Elastic<Real> Law>
+double stored_energy_of(const Law& elastic, const CellArrays& cells, const double* displacement) {
   Real sum = {};
   for (int batch = 0; batch < cells.batches; ++batch) {
     const Corners u = gather(cells.nodes + batch * nodes_per_cell * width, displacement);
@@ -217,24 +215,15 @@ double stored_energy_of(const CellArrays& cells, const double* displacement) {
 
 CellSummary internal_forces(const CellArrays& cells, const BranchStep* branches,
                             const double* displacement, double* history, double* force) {
-  switch (cells.elastic) {
-    case ElasticModel::neo_hookean:
-      return internal_forces_of<NeoHookean>(cells, branches, displacement, history, force);
-    case ElasticModel::neo_hookean_isochoric:
-      return internal_forces_of<NeoHookeanIsochoric>(cells, branches, displacement, history,
-                                                     force);
-  }
-  __builtin_unreachable();
+  return with_elastic(cells.elastic, [&](const auto& elastic) {
+    return internal_forces_of(elastic, cells, branches, displacement, history, force);
+  });
 }
 
 double stored_energy(const CellArrays& cells, const double* displacement) {
-  switch (cells.elastic) {
-    case ElasticModel::neo_hookean:
-      return stored_energy_of<NeoHookean>(cells, displacement);
-    case ElasticModel::neo_hookean_isochoric:
-      return stored_energy_of<NeoHookeanIsochoric>(cells, displacement);
-  }
-  __builtin_unreachable();
+  return with_elastic(cells.elastic, [&](const auto& elastic) {
+    return stored_energy_of(elastic, cells, displacement);
+  });
 }
 
 }  // namespace

@@ -69,6 +69,25 @@ inline OnlyVector<V> log(V x) {
   return exponent * 0.69314718055994530942 + 2.0 * (s + tail);
 }
 
+/// Square root of positive numbers whose reciprocal is normal; of zero, zero.
+///
+///   y ← y (3/2 − x y²/2) from a linear guess of the exponent;   √x = x y, corrected once
+///
+/// Error: below 3 units in the last place -> test SimdMath.SqrtAgainstLibrary
+template <class V>
+inline OnlyVector<V> sqrt(V x) {
+  using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
+  Integer bits;
+  std::memcpy(&bits, &x, sizeof(V));
+  bits = 0x5fe6eb50c7b537a9 - (bits >> 1);
+  V y;
+  std::memcpy(&y, &bits, sizeof(V));
+  const V half = 0.5 * x;
+  for (int i = 0; i < 4; ++i) y = y * (1.5 - half * y * y);
+  const V root = x * y;
+  return root + 0.5 * y * (x - root * root);
+}
+
 /// Exponential for |x| < 700.
 ///
 ///   x = k ln 2 + r, |r| ≤ ½ ln 2;   eˣ = 2^k Σ rⁿ/n!

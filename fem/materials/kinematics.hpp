@@ -6,6 +6,7 @@ namespace rebound::fem {
 
 using std::exp;
 using std::log;
+using std::sqrt;
 
 /// Symmetric tensor of an axisymmetric state without torsion.
 /// T is `double` or a vector of doubles over cells.

@@ -20,11 +20,64 @@ void require(bool fine, const char* key, double value, const char* allowed) {
 
 bool positive(double value) { return value > 0 && std::isfinite(value); }
 
+bool has_terms(const Material& material) {
+  return material.elastic == ElasticModel::ogden || material.elastic == ElasticModel::hyperfoam;
+}
+
+void check_terms(const Material& material) {
+  if (material.elastic == ElasticModel::mooney_rivlin)
+    require(material.second_share >= 0 && material.second_share <= 1, "second_share",
+            material.second_share, "[0, 1]");
+  if (!has_terms(material)) return;
+  const auto count = static_cast<double>(material.terms.size());
+  require(count > 0 && count <= largest_term_count, "term", count, "1 to 6 terms");
+  for (const auto& term : material.terms) {
+    require(positive(term.weight), "term.weight", term.weight, "> 0");
+    require(term.exponent != 0 && std::abs(term.exponent) <= 50, "term.exponent", term.exponent,
+            "-50 to 50, not 0");
+    if (material.elastic == ElasticModel::hyperfoam && term.beta)
+      require(*term.beta > -1.0 / 3.0 && *term.beta <= 100, "term.beta", *term.beta, "(-1/3, 100]");
+  }
+}
+
+/// Σ μᵢ βᵢ/μ that makes Σ 2μᵢ (1/3 + βᵢ) the bulk modulus.
+double mean_beta(const Moduli& moduli) { return moduli.bulk / (2.0 * moduli.shear) - 1.0 / 3.0; }
+
+/// `given` are the moduli that the user's Poisson ratio belongs to.
+StretchTerms terms_of(const Material& material, const Moduli& moduli, const Moduli& given) {
+  StretchTerms terms;
+  if (!has_terms(material)) return terms;
+  double weights = 0.0;
+  for (const auto& term : material.terms) weights += term.weight;
+  double mean = 0.0;  // Σ μᵢ βᵢ/μ
+  for (const auto& term : material.terms) {
+    terms.shear[terms.count] = moduli.shear * (term.weight / weights);
+    terms.exponent[terms.count] = term.exponent;
+    terms.beta[terms.count] = term.beta.value_or(mean_beta(given));
+    mean += term.weight / weights * terms.beta[terms.count];
+    ++terms.count;
+  }
+  if (material.elastic != ElasticModel::hyperfoam) return terms;
+  const double found = mean / (1.0 + 2.0 * mean);
+  if (!(std::abs(found - material.poisson_ratio) <= 0.002))
+    throw Error(ExitCode::bad_input, "the terms of the hyperfoam lead to another Poisson ratio",
+                {.key = "model.material.poisson_ratio",
+                 .value = std::to_string(material.poisson_ratio),
+                 .allowed = std::to_string(found)});
+  for (int i = 0; i < terms.count; ++i) {
+    terms.beta[i] += mean_beta(moduli) - mean;
+    require(terms.beta[i] > -1.0 / 3.0, "term.beta", terms.beta[i],
+            "above -1/3 before anything has relaxed");
+  }
+  return terms;
+}
+
 void check(const Material& material) {
   require(positive(material.youngs_modulus), "youngs_modulus", material.youngs_modulus, "> 0 Pa");
   require(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio,
           "poisson_ratio", material.poisson_ratio,
           "(-1, 0.45]; fully integrated cells lock above");
+  check_terms(material);
   double sum = 0.0;
   for (const auto& branch : material.branches) {
     require(positive(branch.ratio), "branch.ratio", branch.ratio, "> 0");
@@ -60,6 +113,10 @@ ViscoelasticConstants viscoelastic_constants(const Material& material) {
   }
   constants.long_term_deviatoric = 1.0 - ratio_deviatoric / scale_deviatoric;
   constants.long_term_volumetric = 1.0 - ratio_volumetric / scale_volumetric;
+  constants.elastic = {.model = material.elastic,
+                       .moduli = constants.instantaneous,
+                       .second_share = material.second_share,
+                       .terms = terms_of(material, constants.instantaneous, given)};
   return constants;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fem/materials/elastic_constants.hpp"
 #include "fem/materials/moduli.hpp"
 #include "lumped/problem/material.hpp"
 
@@ -24,6 +25,7 @@ struct ViscoelasticConstants {
   double long_term_deviatoric = 1.0;  ///< c_d [-]
   double long_term_volumetric = 1.0;  ///< c_v [-]
   std::vector<BranchConstants> branches;
+  ElasticConstants elastic;           ///< the law, with the instantaneous moduli
 };
 
 /// Largest Poisson ratio at which the fully integrated bilinear cell is
@@ -38,8 +40,11 @@ inline constexpr double largest_poisson_ratio = 0.45;
 ///
 /// Limit:  both bases give the same constants for the same solid
 ///         -> test ViscoelasticConstantsTest.BasesAgree
+/// Terms are scaled so that Σ μᵢ = μ₀; β that a hyperfoam's terms give must lead
+/// to the Poisson ratio of the material within 0.002, and share what is left.
 /// Errors: Error(bad_input) for E ≤ 0, ν outside (−1, 0.45], τ ≤ 0,
-///         ratio ≤ 0, instantaneous shares that sum to 1 or more.
+///         ratio ≤ 0, instantaneous shares that sum to 1 or more, terms that
+///         are missing, too many or out of range, or that contradict ν.
 ViscoelasticConstants viscoelastic_constants(const Material& material);
 
 }  // namespace rebound::fem

@@ -83,7 +83,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       problem_(problem),
       kernel_(choose_cell_kernel()),
       material_(viscoelastic_constants(problem.material)),
-      cells_(body, material_, problem.material.elastic, kernel_.width),
+      cells_(body, material_, kernel_.width),
       first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
       step_before_(first_step_),
       step_(first_step_),

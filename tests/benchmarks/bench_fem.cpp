@@ -97,7 +97,7 @@ void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branc
   const FemProblem problem = problem_with(branches);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
   const auto constants = fem::viscoelastic_constants(problem.material);
-  const fem::CellBatches cells(body, constants, problem.material.elastic, kernel->width);
+  const fem::CellBatches cells(body, constants, kernel->width);
   const fem::PronySteps prony(constants, 1e-6);
   auto history = cells.make_history();
   const auto u = test::stretched(body, 1.02, 0.95);

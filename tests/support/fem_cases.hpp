@@ -61,9 +61,17 @@ inline Mesh distorted_cylinder() {
   return mesh;
 }
 
-/// μ = 1 Pa, λ = 4 Pa.
+inline constexpr ElasticModel elastic_models[] = {
+    ElasticModel::neo_hookean, ElasticModel::neo_hookean_isochoric, ElasticModel::mooney_rivlin,
+    ElasticModel::ogden, ElasticModel::hyperfoam};
+
+/// μ = 1 Pa, λ = 4 Pa; laws of principal stretches with terms of both signs.
 inline Material unit_material(ElasticModel elastic = ElasticModel::neo_hookean) {
-  return {.elastic = elastic, .youngs_modulus = 2.8, .poisson_ratio = 0.4};
+  Material material{.elastic = elastic, .youngs_modulus = 2.8, .poisson_ratio = 0.4};
+  if (elastic == ElasticModel::mooney_rivlin) material.second_share = 0.25;
+  if (elastic == ElasticModel::ogden || elastic == ElasticModel::hyperfoam)
+    material.terms = {{.weight = 3.0, .exponent = 4.0}, {.weight = 1.0, .exponent = -2.0}};
+  return material;
 }
 
 /// The common case of the verification ladder: R = 33.1 mm, m = 89.6 g,
@@ -84,7 +92,7 @@ class KernelCase {
              const fem::CellKernel& kernel, double step = 1.0)
       : constants_(fem::viscoelastic_constants(material)),
         kernel_(kernel),
-        cells_(body, constants_, material.elastic, kernel.width),
+        cells_(body, constants_, kernel.width),
         prony_(constants_, step),
         step_(step),
         history_(cells_.make_history()),

@@ -151,8 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"Locking", nu, "poisson_ratio = 0.46\n", nu_key, "lock"},
         Refused{"Modulus", "10 MPa", "10 Pa", "impact.speed", "shear wave speed"},
         Refused{"Speed", "15 m/s", "999 m/s", "impact.speed", "shear wave speed"},
-        Refused{"Elastic", "\"neo-hookean\"", "\"ogden\"", "model.material.elastic",
-                "not available"},
+        Refused{"Elastic", "\"neo-hookean\"", "\"ogden\"", "model.material.term",
+                "this key is missing"},
         Refused{"Relaxation", nu, "poisson_ratio = 0.4\nrelaxation = \"multiplicative\"\n",
                 "model.material.relaxation", "not available"},
         Refused{"Scheme", "tier = \"fem\"\n", "tier = \"fem\"\nscheme = \"implicit\"\n",
@@ -193,6 +193,26 @@ TEST(ImpactFileTest, AMeshIsFoundBesideItsFile) {
                                     "tier = \"fem\"\nmesh = \"ball.msh\"\n");
   const FemProblem problem = read_fem_problem(Document::parse(text, "some/where/f.toml"));
   EXPECT_EQ(problem.mesh_file, std::filesystem::absolute("some/where/ball.msh"));
+}
+
+TEST(ImpactFileTest, TermsOfAnElasticLaw) {
+  const std::string base = head + replaced(material, "neo-hookean", "hyperfoam");
+  const std::string term = "[[model.material.term]]\nweight = 24400\nexponent = 8.31\n";
+  EXPECT_EQ(fem(base + term).material.terms.at(0).exponent, 8.31);
+  const auto key_refused = [](const std::string& text) {
+    return refusal_of([&] { fem(text); }).location().key;
+  };
+  EXPECT_EQ(key_refused(base), "model.material.term");
+  EXPECT_EQ(key_refused(base + replaced(term, "8.31", "0")), "model.material.term[0].exponent");
+  EXPECT_EQ(key_refused(base + term + "beta = 1.0\n"), "model.material.poisson_ratio");
+  EXPECT_EQ(key_refused(base + term + term + "beta = 2.0\n"), "model.material.term[0]");
+  EXPECT_EQ(fem(base + term + "beta = 2.0\n").material.terms.at(0).beta, 2.0);
+  // Keys of one law are unknown to the others.
+  EXPECT_EQ(key_refused(head + material + term), "model.material.term");
+  EXPECT_EQ(key_refused(base + "second_share = 0.2\n" + term), "model.material.second_share");
+  const std::string ogden = head + replaced(material, "neo-hookean", "ogden") + term;
+  EXPECT_EQ(fem(ogden).material.elastic, ElasticModel::ogden);
+  EXPECT_EQ(key_refused(ogden + "beta = 2.0\n"), "model.material.term[0].beta");
 }
 
 }  // namespace

@@ -52,6 +52,27 @@ TEST(RoundTripTest, FemProblemKeepsEveryBit) {
   }
 }
 
+/// The keys of each elastic law survive writing and reading.
+TEST(RoundTripTest, EveryElasticLawKeepsEveryBit) {
+  std::vector<Material> materials(4, every_fem_member_set().material);
+  materials[0].elastic = ElasticModel::mooney_rivlin;
+  materials[0].second_share = 1.0 / 7.0;
+  materials[1].elastic = ElasticModel::ogden;
+  materials[1].terms = {{.weight = 1.0 / 3.0, .exponent = 4.0 / 3.0}, {.weight = 0.2, .exponent = -2.0}};
+  materials[2].elastic = ElasticModel::hyperfoam;
+  materials[2].terms = {{.weight = 1.0 / 3.0, .exponent = 4.0 / 3.0}};
+  materials[3] = materials[2];
+  materials[3].terms.push_back({.weight = 1.0 / 3.0, .exponent = -7.0, .beta = 1.1});
+  materials[3].terms[0].beta = 0.9;
+  for (const Material& material : materials) {
+    FemProblem problem = every_fem_member_set();
+    problem.material = material;
+    const std::string text = write_toml(problem);
+    SCOPED_TRACE(text);
+    EXPECT_EQ(read_fem_problem(Document::parse(text, "f")).material, material);
+  }
+}
+
 TEST(RoundTripTest, EveryLawKeepsEveryBit) {
   for (const LawCard& law : all_laws()) {
     LumpedProblem problem;

@@ -95,8 +95,7 @@ TEST_P(StableStep, FrequencyOfDeformedCell) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Elastic, StableStep,
-                         ::testing::Values(ElasticModel::neo_hookean,
-                                           ElasticModel::neo_hookean_isochoric));
+                         ::testing::ValuesIn(test::elastic_models));
 
 }  // namespace
 }  // namespace rebound::fem

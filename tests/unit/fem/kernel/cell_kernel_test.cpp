@@ -15,7 +15,7 @@ namespace {
 using test::KernelCase;
 using test::Random;
 
-constexpr auto elastic_models = {ElasticModel::neo_hookean, ElasticModel::neo_hookean_isochoric};
+constexpr auto& elastic_models = test::elastic_models;
 
 std::vector<const CellKernel*> kernels_here() {
   std::vector<const CellKernel*> kernels;

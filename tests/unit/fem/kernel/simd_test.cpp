@@ -47,6 +47,17 @@ TEST(SimdMath, LogAroundTheChangeOfExponent) {
     }
 }
 
+TEST(SimdMath, SqrtAgainstLibrary) {
+  test::Random random(3);
+  for (int i = 0; i < 200000; ++i) {
+    const double x = i % 3 == 0 ? 1.0 + 0.5 * random() : std::exp(600.0 * random());
+    const Real found = sqrt(Real{x, 1.0 / x});
+    ASSERT_LT(units_off(found[0], std::sqrt(static_cast<long double>(x))), 3.0) << x;
+    ASSERT_LT(units_off(found[1], std::sqrt(static_cast<long double>(1.0 / x))), 3.0) << 1.0 / x;
+  }
+  EXPECT_EQ(sqrt(Real{0.0, 4.0})[0], 0.0);
+}
+
 TEST(SimdMath, ExpAgainstLibrary) {
   test::Random random(2);
   for (int i = 0; i < 200000; ++i) {

@@ -6,8 +6,8 @@
 
 #include <numbers>
 
-#include "fem/materials/neo_hookean.hpp"
-#include "fem/materials/neo_hookean_isochoric.hpp"
+#include "fem/materials/blank_material.hpp"
+#include "fem/materials/with_elastic.hpp"
 #include "tests/support/fem_cases.hpp"
 
 namespace rebound::fem {
@@ -80,15 +80,43 @@ double fastest_wave(const Model& model, const Deformation& f) {
   return largest;
 }
 
+/// Laws with a shape, made from moduli alone.
+struct MooneyRivlinThird : MooneyRivlin {
+  explicit MooneyRivlinThird(const Moduli& m) : MooneyRivlin{m, 1.0 / 3.0} {}
+};
+struct OgdenThree : Ogden {
+  explicit OgdenThree(const Moduli& m)
+      : Ogden{m, {.count = 3,
+                  .shear = {0.7 * m.shear, 0.1 * m.shear, 0.2 * m.shear},
+                  .exponent = {1.3, 5.0, -2.0}}} {}
+};
+double even_beta(const Moduli& m) { return m.bulk / (2.0 * m.shear) - 1.0 / 3.0; }
+struct HyperfoamTwo : Hyperfoam {
+  explicit HyperfoamTwo(const Moduli& m)
+      : Hyperfoam{m, {.count = 2,
+                      .shear = {0.6 * m.shear, 0.4 * m.shear},
+                      .exponent = {6.0, -2.5},
+                      .beta = {even_beta(m) + 0.2, even_beta(m) - 0.3}}} {}
+};
+/// At Poisson ratio 0 with the limit β = 0.
+struct HyperfoamOne : Hyperfoam {
+  explicit HyperfoamOne(const Moduli& m)
+      : Hyperfoam{m, {.count = 1, .shear = {m.shear}, .exponent = {3.0}, .beta = {even_beta(m)}}} {}
+};
+
+static_assert(Elastic<BlankMaterial, double>);
+
 template <class Model>
 class MaterialBattery : public ::testing::Test {
  protected:
+  static_assert(Elastic<Model, double>);
   static Model model(double poisson_ratio = 0.4) {
-    return {Moduli::from_youngs(2.8, poisson_ratio)};
+    return Model{Moduli::from_youngs(2.8, poisson_ratio)};
   }
 };
 
-using Models = ::testing::Types<NeoHookean, NeoHookeanIsochoric>;
+using Models = ::testing::Types<NeoHookean, NeoHookeanIsochoric, MooneyRivlinThird, OgdenThree,
+                                HyperfoamTwo, HyperfoamOne>;
 TYPED_TEST_SUITE(MaterialBattery, Models);
 
 TYPED_TEST(MaterialBattery, ZeroStressAndEnergyAtRest) {

@@ -91,5 +91,49 @@ TEST(ViscoelasticConstantsTest, RefusesWhatIsOutOfRange) {
   EXPECT_NO_THROW(viscoelastic_constants(whole));
 }
 
+Material foam(std::vector<StretchTerm> terms) {
+  return {.elastic = ElasticModel::hyperfoam, .youngs_modulus = 2.8, .poisson_ratio = 0.4,
+          .terms = std::move(terms)};
+}
+
+TEST(ViscoelasticConstantsTest, TermsAddUpToTheModuli) {
+  for (const Material& material : {foam({{3.0, 4.0, {}}, {1.0, -2.0, {}}}),
+                                   foam({{3.0, 4.0, 2.5}, {1.0, -2.0, 0.51}})}) {
+    const ElasticConstants elastic = viscoelastic_constants(material).elastic;
+    double shear = 0.0, bulk = 0.0;
+    for (int i = 0; i < elastic.terms.count; ++i) {
+      shear += elastic.terms.shear[i];
+      bulk += 2.0 * elastic.terms.shear[i] * (1.0 / 3.0 + elastic.terms.beta[i]);
+    }
+    EXPECT_DOUBLE_EQ(shear, elastic.moduli.shear);
+    EXPECT_DOUBLE_EQ(bulk, elastic.moduli.bulk);
+    EXPECT_DOUBLE_EQ(elastic.terms.shear[0], 3.0 * elastic.terms.shear[1]);
+  }
+}
+
+TEST(ViscoelasticConstantsTest, RefusesTermsThatAreOutOfRange) {
+  const auto key_refused = [](const Material& material) {
+    const Error error = testing::refusal_of([&] { viscoelastic_constants(material); });
+    EXPECT_EQ(error.code(), ExitCode::bad_input);
+    return error.location().key;
+  };
+  EXPECT_EQ(key_refused(foam({})), "model.material.term");
+  EXPECT_EQ(key_refused(foam(std::vector<StretchTerm>(7))), "model.material.term");
+  for (const double value : {0.0, -1.0, nan, infinity})
+    EXPECT_EQ(key_refused(foam({{value, 2.0, {}}})), "model.material.term.weight") << value;
+  for (const double value : {0.0, 51.0, nan, infinity})
+    EXPECT_EQ(key_refused(foam({{1.0, value, {}}})), "model.material.term.exponent") << value;
+  for (const double value : {-0.34, nan, infinity})
+    EXPECT_EQ(key_refused(foam({{1.0, 2.0, value}})), "model.material.term.beta") << value;
+  // β = 1 everywhere is a Poisson ratio of 1/3, not 0.4.
+  EXPECT_EQ(key_refused(foam({{1.0, 2.0, 1.0}})), "model.material.poisson_ratio");
+  Material mooney = foam({});
+  mooney.elastic = ElasticModel::mooney_rivlin;
+  for (const double value : {-0.1, 1.1, nan}) {
+    mooney.second_share = value;
+    EXPECT_EQ(key_refused(mooney), "model.material.second_share") << value;
+  }
+}
+
 }  // namespace
 }  // namespace rebound::fem
