@@ -1,35 +1,39 @@
 #include <deal.II/base/config.h>
 
 #include "fem/discretisation/discretisation.hpp"
+#include "fem/implicit/implicit_impact.hpp"
 #include "fem/schemes/explicit_impact.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/modules.hpp"
 
 namespace {
 
-class ExplicitFemBody final : public rebound::FemBody {
+class PreparedBody final : public rebound::FemBody {
  public:
-  ExplicitFemBody(const rebound::Mesh& mesh, double mass)
-      : body_(rebound::fem::discretise(mesh, mass)), mass_(mass) {}
+  PreparedBody(const rebound::Mesh& mesh, double mass)
+      : mesh_(mesh), body_(rebound::fem::discretise(mesh, mass)), mass_(mass) {}
 
   rebound::FemResult simulate(const rebound::FemProblem& problem,
                               const rebound::RunControl& control) const override {
     if (problem.sphere.mass != mass_)
       throw rebound::Error(rebound::ExitCode::bad_input,
                            "the body was prepared for another mass", {.key = "sphere.mass"});
+    if (problem.scheme == rebound::FemScheme::implicit_steps)
+      return rebound::fem::run_implicit_impact(mesh_, problem, control);
     return rebound::fem::run_explicit_impact(body_, problem, control);
   }
 
  private:
+  rebound::Mesh mesh_;
   rebound::fem::Discretisation body_;
   double mass_;
 };
 
-class ExplicitFemTier final : public rebound::FemTier {
+class LoadedFemTier final : public rebound::FemTier {
  public:
   std::shared_ptr<const rebound::FemBody> prepare(const rebound::Mesh& mesh,
                                                   double mass) const override {
-    return std::make_shared<ExplicitFemBody>(mesh, mass);
+    return std::make_shared<PreparedBody>(mesh, mass);
   }
   std::string versions() const override {
     return std::string("deal.II ") + DEAL_II_PACKAGE_VERSION + ", kernel " +
@@ -40,6 +44,6 @@ class ExplicitFemTier final : public rebound::FemTier {
 }  // namespace
 
 extern "C" const rebound::FemTier* rebound_fem_tier(unsigned long stamp) {
-  static const ExplicitFemTier tier;
+  static const LoadedFemTier tier;
   return stamp == rebound::interface_stamp ? &tier : nullptr;
 }

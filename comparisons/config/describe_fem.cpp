@@ -128,7 +128,8 @@ void describe(Visitor& visit, Material& material) {
 
 void describe(Visitor& visit, FemControls& controls) {
   visit.number({.name = "step_safety",
-                .sentence = "Time step over the stable time step.",
+                .sentence = "Time step over the stable time step; implicit: over a 180th of the "
+                            "Hertz contact time.",
                 .presence = Presence::optional,
                 .range = above_up_to(0.0, 1.0)},
                controls.step_safety);
@@ -154,13 +155,14 @@ void describe(Visitor& visit, FemControls& controls) {
 void describe_fem_model(Visitor& visit, FemProblem& problem) {
   std::string tier = "fem";
   visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"fem"}}, tier);
-  std::string scheme = "explicit";
-  visit.text({.name = "scheme",
-              .sentence = "Time integration: explicit central differences.",
-              .presence = Presence::optional,
-              .allowed = {"explicit"},
-              .later = {"implicit"}},
-             scheme);
+  visit.choice<FemScheme>(
+      {.name = "scheme",
+       .sentence = "Explicit central differences on bilinear cells, or implicit generalised-alpha "
+                   "on nine-node cells with a contact of its own: the independent check, a hundred "
+                   "times slower; plate rigid and smooth, no fields.",
+       .presence = Presence::optional},
+      {{"explicit", FemScheme::explicit_steps}, {"implicit", FemScheme::implicit_steps}},
+      problem.scheme);
   visit.text({.name = "mesh",
               .sentence = "A mesh of your own (Gmsh, groups \"axis\" and \"contact\"), instead of "
                           "`cells`; a relative path starts at this file's folder.",
@@ -168,7 +170,8 @@ void describe_fem_model(Visitor& visit, FemProblem& problem) {
              problem.mesh_file);
   auto cells = problem.mesh_file.empty() ? std::optional(problem.cells) : std::nullopt;
   visit.whole({.name = "cells",
-               .sentence = "About how many cells the generated mesh has.",
+               .sentence = "About how many cells the generated mesh has. One of the implicit scheme "
+                           "does the work of four.",
                .presence = Presence::optional,
                .range = from_to(20.0, 1e6)},
               cells);

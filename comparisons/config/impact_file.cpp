@@ -105,6 +105,17 @@ void check_plate(const Document& document) {
                               "this belongs to a plate that moves: give its stiffness too");
 }
 
+/// What the second scheme does not have.
+void check_implicit(const Document& document, const FemProblem& problem) {
+  const auto refuse = [&](const char* key, const char* what) {
+    throw document.error_at(
+        key, fmt::format("the implicit scheme has no {}; take scheme = \"explicit\"", what));
+  };
+  if (problem.plate.moves()) refuse("model.plate.stiffness", "plate that moves");
+  if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
+  if (problem.controls.field_frames != 0) refuse("controls.field_frames", "field output");
+}
+
 void check_fem(const Document& document, const FemProblem& problem) {
   if (problem.impact.separation != SeparationRule::zero_force)
     throw document.error_at("impact.separation",
@@ -115,6 +126,7 @@ void check_fem(const Document& document, const FemProblem& problem) {
                             "fully integrated elements lock near incompressibility and would "
                             "give a wrong force",
                             "-1 < value <= 0.45");
+  if (problem.scheme == FemScheme::implicit_steps) check_implicit(document, problem);
   check_shares(document, problem.material);
   check_terms(document, problem.material);
   const double wave = instantaneous_shear_speed(problem);

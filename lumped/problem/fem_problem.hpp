@@ -10,7 +10,7 @@ namespace rebound {
 
 /// Resolution and recording of one FE impact. Zero means "choose".
 struct FemControls {
-  double step_safety = 0.9;      ///< step over the stable step, in (0, 1]
+  double step_safety = 0.9;      ///< step over the stable step (implicit: over a 180th of the Hertz contact time), in (0, 1]
   double output_interval = 0.0;  ///< trace spacing [s]; 0: a 200th of the Hertz contact time
   double end_time = 0.0;         ///< give up after this much contact [s]; 0: 20 Hertz contact times
   int shape_frames = 0;          ///< shapes kept in the result, over the contact; 0: none
@@ -20,8 +20,15 @@ struct FemControls {
   friend bool operator==(const FemControls&, const FemControls&) = default;
 };
 
+/// How the FE tier is cut into cells and steps. Two ways that share no algorithm.
+enum class FemScheme {
+  explicit_steps,  ///< central differences, bilinear cells, kinematic contact
+  implicit_steps   ///< generalised-α, nine-node cells, active set
+};
+
 /// One impact of the FE tier.
 struct FemProblem {
+  FemScheme scheme = FemScheme::explicit_steps;
   Sphere sphere;
   Impact impact;
   Material material;

@@ -115,6 +115,29 @@ TEST_F(FemCommandTest, AContactThatDoesNotEndInTimeReportsNoScalar) {
   EXPECT_TRUE(there("results/trace-incomplete.csv"));
 }
 
+TEST_F(FemCommandTest, TheImplicitSchemeReportsTheSameScalarsAndFaults) {
+  const std::string implicit = replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
+  folder.write("explicit.toml", replaced(fem_file, "cells = 60", "cells = 240"));
+  folder.write("implicit.toml", implicit);
+  folder.write("short.toml", implicit + "[controls]\nend_time = \"0.5 ms\"\n");
+  const auto read = [&](const char* file) {
+    const Outcome outcome = rebound({"fem", file, "--json", "--out", "results"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  };
+  const auto first = read("explicit.toml"), second = read("implicit.toml");
+  for (const auto& [key, value] : first.items()) EXPECT_TRUE(second.contains(key)) << key;
+  EXPECT_NEAR(second["restitution"], first["restitution"], 5e-3);
+  EXPECT_NEAR(second["peak_deflection_m"].get<double>() / first["peak_deflection_m"].get<double>(), 1.0,
+              1e-2);
+  EXPECT_TRUE(read_whole(folder.path() / "results/trace.csv")
+                  .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
+
+  EXPECT_EQ(rebound({"fem", "short.toml", "--out", "results"}).exit_code, 3);
+  EXPECT_TRUE(there("results/incomplete.json"));
+  EXPECT_FALSE(there("results/result.json"));
+}
+
 TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
   // Many cells: the run takes seconds, the mesh is made before.
   ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code, 0);

@@ -73,6 +73,16 @@ TEST(RoundTripTest, EveryElasticLawKeepsEveryBit) {
   }
 }
 
+TEST(RoundTripTest, TheImplicitSchemeStays) {
+  FemProblem problem = every_fem_member_set();
+  problem.scheme = FemScheme::implicit_steps;
+  problem.controls.field_frames = 0;
+  const std::string text = write_toml(problem);
+  const FemProblem read = read_fem_problem(Document::parse(text, "f"));
+  EXPECT_EQ(read.scheme, FemScheme::implicit_steps);
+  EXPECT_EQ(write_toml(read), text);
+}
+
 TEST(RoundTripTest, EveryLawKeepsEveryBit) {
   for (const LawCard& law : all_laws()) {
     LumpedProblem problem;

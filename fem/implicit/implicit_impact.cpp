@@ -1,0 +1,293 @@
+#include "fem/implicit/implicit_impact.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "fem/implicit/equilibrium.hpp"
+#include "fem/schemes/impact_limits.hpp"
+#include "fem/schemes/impact_recorder.hpp"
+#include "lumped/problem/error.hpp"
+#include "lumped/problem/scalars.hpp"
+
+namespace rebound::fem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Coefficients of the generalised-α method.
+struct TimeWeights {
+  static constexpr double kept = 0.9;  ///< ρ
+  static constexpr double mass = (2.0 * kept - 1.0) / (kept + 1.0);
+  static constexpr double force = kept / (kept + 1.0);
+  static constexpr double gamma = 0.5 - mass + force;
+  static constexpr double beta = 0.25 * (1.0 - mass + force) * (1.0 - mass + force);
+};
+
+/// Everything that a step changes.
+struct MotionState {
+  Eigen::VectorXd u, v, a, force, reaction;
+  double time = 0.0;
+};
+
+class ImplicitImpact {
+ public:
+  ImplicitImpact(const Mesh& mesh, const FemProblem& problem);
+  FemResult run(const RunControl& control);
+
+ private:
+  bool advance(double step, int cuts);
+  EquilibriumTask task_of(double step) const;
+  void accept(double step, MotionState next);
+  void sample();
+  void book(EnergyBook& book) const;
+  bool contact_is_over() const;
+  FemResult finish(std::string incomplete_because);
+  void conclude(FemResult& result) const;
+
+  const FemProblem& problem_;
+  QuadraticBody body_;
+  BodyForces forces_;
+  EquilibriumSearch search_;
+  HeldNodes held_;
+  std::vector<int> massless_;  ///< unknowns without inertia
+  MotionState now_;
+  Eigen::VectorXd last_change_;
+  double expected_time_, end_time_, interval_;
+  int steps_per_sample_;
+  ImpactRecorder recorder_;
+  EnergyBook book_;
+  std::string failure_;
+  int pole_ = 0;
+  long steps_ = 0;
+  double smallest_step_;
+  double initial_kinetic_ = 0.0, internal_work_ = 0.0, constraint_work_ = 0.0;
+  double contact_force_ = 0.0, force_before_ = 0.0, last_contact_ = 0.0;
+  double contact_radius_ = 0.0, contact_radius_peak_ = 0.0, worst_energy_error_ = 0.0;
+};
+
+ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
+    : problem_(problem),
+      body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
+      forces_(body_, problem.material, ContactInertia::removed),
+      search_(body_, forces_.empty_matrix()),
+      held_(body_),
+      expected_time_(expected_contact_time(problem, forces_.law().constants().instantaneous)),
+      end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
+      interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
+                                                     : expected_time_ / 200),
+      recorder_(interval_, expected_time_) {
+  const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
+  steps_per_sample_ = std::max(1, static_cast<int>(std::ceil(interval_ / asked - 1e-9)));
+  smallest_step_ = interval_ / steps_per_sample_;
+  const int size = forces_.size();
+  for (Eigen::VectorXd* field : {&now_.u, &now_.v, &now_.a, &now_.force, &now_.reaction})
+    field->setZero(size);
+  for (int node = 0; node < body_.node_count(); ++node) {
+    now_.v[2 * node + 1] = -problem.impact.speed;
+    now_.a[2 * node + 1] = -problem.gravity;
+    if (body_.position[node][1] > body_.position[pole_][1]) pole_ = node;
+  }
+  for (const ContactPlace& place : body_.contact) massless_.push_back(2 * place.node + 1);
+  for (const int unknown : massless_) now_.a[unknown] = 0.0;
+  last_change_.setZero(size);
+  initial_kinetic_ = 0.5 * now_.v.dot(forces_.times_mass(now_.v));
+}
+
+/// Residual of one step as a function of the displacement at its end.
+EquilibriumTask ImplicitImpact::task_of(double step) const {
+  using W = TimeWeights;
+  const double per_change = 1.0 / (W::beta * step * step);
+  const Eigen::VectorXd carried =
+      (1.0 - W::mass) * (per_change * (now_.u + step * now_.v) + (0.5 / W::beta - 1.0) * now_.a) -
+      W::mass * now_.a;
+  const Eigen::VectorXd fixed_part =
+      (W::force / (1.0 - W::force)) * (now_.force - now_.reaction) -
+      forces_.times_mass(carried) / (1.0 - W::force);
+  const double inertia = (1.0 - W::mass) * per_change / (1.0 - W::force);
+  const double weight = problem_.gravity / (1.0 - W::force);
+  EquilibriumTask task;
+  task.linearise = [this, fixed_part = Eigen::VectorXd(fixed_part + weight * forces_.axial_mass()),
+                    inertia](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
+                                               SystemMatrix& matrix) {
+    const auto outcome = forces_.linearise(u, {.stiffness = 1.0, .mass = inertia}, residual, matrix);
+    residual += fixed_part + inertia * forces_.times_mass(u);
+    return outcome;
+  };
+  // The mean force of a contact, as a yardstick while there is none yet.
+  task.force_scale = std::max(now_.force.norm(), 1e-2 * body_.mass * problem_.impact.speed / expected_time_);
+  return task;
+}
+
+/// One step, in halves where it does not converge.
+bool ImplicitImpact::advance(double step, int cuts) {
+  using W = TimeWeights;
+  forces_.law().set_step(step);
+  const HeldNodes held_before = held_;
+  MotionState next{.u = now_.u + step * now_.v + (0.5 * step * step) * now_.a};
+  for (const int unknown : massless_) next.u[unknown] = now_.u[unknown] + last_change_[unknown];
+  const auto found = search_.solve(task_of(step), next.u, held_, next.reaction);
+  if (found.converged) {
+    next.a = (next.u - now_.u - step * now_.v) / (W::beta * step * step) - (0.5 / W::beta - 1.0) * now_.a;
+    next.v = now_.v + step * ((1.0 - W::gamma) * now_.a + W::gamma * next.a);
+    for (const int unknown : massless_) {
+      next.a[unknown] = 0.0;
+      next.v[unknown] = (next.u[unknown] - now_.u[unknown]) / step;
+    }
+    next.time = now_.time + step;
+    accept(step, std::move(next));
+    return true;
+  }
+  held_ = held_before;
+  failure_ = found.failure;
+  if (cuts == 0) return false;
+  return advance(0.5 * step, cuts - 1) && advance(0.5 * step, cuts - 1);
+}
+
+void ImplicitImpact::accept(double step, MotionState next) {
+  forces_.forces(next.u, next.force);
+  forces_.accept(next.u);
+  const Eigen::VectorXd change = next.u - now_.u;
+  internal_work_ += 0.5 * change.dot(now_.force + next.force);
+  constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
+  const double force = next.reaction.sum();
+  const double impulse = 0.5 * step * (contact_force_ + force);
+  recorder_.add_impulse(impulse, now_.time, next.time);
+  if (force > 0.0) {
+    last_contact_ = next.time;
+  } else if (contact_force_ > 0.0) {
+    // Force falls as (T − t)^{3/2}: where its last two values point to.
+    const double last = std::cbrt(contact_force_ * contact_force_);
+    const double fall = std::cbrt(force_before_ * force_before_) - last;
+    last_contact_ = now_.time + step * (fall > last ? last / fall : 1.0);
+  }
+  force_before_ = contact_force_;
+  contact_force_ = force;
+  contact_radius_ = force > 0.0 ? held_.contact_radius(next.u) : 0.0;
+  contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
+  last_change_ = change;
+  smallest_step_ = std::min(smallest_step_, step);
+  now_ = std::move(next);
+  ++steps_;
+}
+
+void ImplicitImpact::book(EnergyBook& book) const {
+  const double kinetic = 0.5 * now_.v.dot(forces_.times_mass(now_.v));
+  const double speed = forces_.axial_mass().dot(now_.v) / body_.mass;
+  book.kinetic_centre_of_mass = 0.5 * body_.mass * speed * speed;
+  book.kinetic_vibration = kinetic - book.kinetic_centre_of_mass;
+  book.stored = forces_.stored_energy(now_.u);
+  book.branches = forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - book.stored;
+  book.contact_constraint = -constraint_work_;
+  book.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
+}
+
+void ImplicitImpact::sample() {
+  book(book_);
+  const double found = book_.kinetic_centre_of_mass + book_.kinetic_vibration + book_.stored +
+                       book_.branches + book_.contact_constraint + book_.gravity;
+  worst_energy_error_ =
+      std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
+  recorder_.add_sample({.deflection = -forces_.axial_mass().dot(now_.u) / body_.mass,
+                        .pole_deflection = -now_.u[2 * pole_ + 1],
+                        .contact_radius = contact_radius_,
+                        .plate_displacement = 0.0},
+                       book_);
+}
+
+bool ImplicitImpact::contact_is_over() const {
+  if (last_contact_ == 0.0 || held_.any() || now_.time < 1.02 * last_contact_) return false;
+  // What is left in the body as vibration of its lowest mode, 2.65 c_s/R; the
+  // surface moves more than the mean, hence 4.
+  const auto& material = forces_.law().constants();
+  const double wave =
+      std::sqrt(material.long_term_deviatoric * material.instantaneous.shear / body_.density);
+  const double left = book_.kinetic_vibration + book_.stored;
+  const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / body_.mass) *
+                           problem_.sphere.radius() / (2.65 * wave);
+  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > amplitude;
+}
+
+FemResult ImplicitImpact::run(const RunControl& control) {
+  std::string incomplete;
+  const double step = interval_ / steps_per_sample_;
+  sample();
+  while (incomplete.empty()) {
+    for (int i = 0; i < steps_per_sample_ && incomplete.empty(); ++i) {
+      if (control.interrupted && control.interrupted())
+        incomplete = "interrupted";
+      else if (!advance(step, 6))
+        incomplete = failure_;
+    }
+    if (!incomplete.empty()) break;
+    now_.time = recorder_.next_sample();
+    sample();
+    if (contact_is_over()) break;
+    if (now_.time > end_time_) incomplete = "the contact had not ended by the end time";
+    if (control.progress) control.progress(std::min(0.99, now_.time / (1.3 * expected_time_)));
+  }
+  return finish(std::move(incomplete));
+}
+
+FemResult ImplicitImpact::finish(std::string incomplete_because) {
+  FemResult result;
+  result.trace = recorder_.trace();
+  result.energies = recorder_.energies();
+  result.cells = static_cast<int>(body_.cells.size());
+  result.vertices = body_.node_count();
+  result.steps = steps_;
+  result.smallest_step = smallest_step_;
+  result.kernel = "implicit";
+  result.incomplete_because = std::move(incomplete_because);
+  if (result.incomplete_because.empty()) conclude(result);
+  return result;
+}
+
+void ImplicitImpact::conclude(FemResult& result) const {
+  const double v0 = problem_.impact.speed;
+  const double speed_now = forces_.axial_mass().dot(now_.v) / body_.mass;
+  const double g = problem_.gravity;
+  const double rebound = recorder_.total_impulse() / body_.mass - v0 - g * last_contact_;
+  result.scalars = derive_scalars(result.trace, problem_.impact, last_contact_, rebound);
+  result.restitution_momentum = (speed_now + g * (now_.time - last_contact_)) / v0;
+  const double expected = body_.mass * (v0 + speed_now + g * now_.time);
+  result.closures.impulse =
+      std::abs(integral(result.trace.time, recorder_.contact_force()) - expected) / expected;
+  result.closures.energy = worst_energy_error_;
+  result.contact_radius_peak = contact_radius_peak_;
+  result.vibrational_energy_share = (book_.kinetic_vibration + book_.stored) / initial_kinetic_;
+  result.contact_constraint_share = book_.contact_constraint / initial_kinetic_;
+}
+
+void refuse(const char* key, const char* what) {
+  throw Error(ExitCode::bad_input,
+              std::string("the implicit scheme has no ") + what + "; take scheme = \"explicit\"",
+              {.key = key});
+}
+
+void check_scheme(const FemProblem& problem) {
+  if (problem.plate.moves()) refuse("model.plate.stiffness", "plate that moves");
+  if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
+  if (problem.controls.field_frames != 0) refuse("controls.field_frames", "field output");
+}
+
+}  // namespace
+
+FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem, const RunControl& control) {
+  check_problem(problem);
+  check_scheme(problem);
+  const auto start = Clock::now();
+  ImplicitImpact impact(mesh, problem);
+  const double setup = seconds_since(start);
+  const auto loop = Clock::now();
+  FemResult result = impact.run(control);
+  result.wall_seconds = seconds_since(loop);
+  result.setup_seconds = setup;
+  return result;
+}
+
+}  // namespace rebound::fem

@@ -1,0 +1,128 @@
+#include "fem/implicit/point_law.hpp"
+
+#include <cmath>
+#include <unsupported/Eigen/AutoDiff>
+
+#include "fem/materials/with_elastic.hpp"
+
+namespace rebound::fem {
+namespace {
+
+using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+
+template <class T>
+Strain<T> strain_from(const Symmetric<T>& c) {
+  using std::log;
+  using std::sqrt;
+  const T in_plane = c.rr * c.zz - c.rz * c.rz;
+  const T determinant = in_plane * c.tt;
+  Strain<T> strain;
+  strain.right_cauchy_green = c;
+  strain.jacobian = sqrt(determinant);
+  strain.log_jacobian = 0.5 * log(determinant);
+  const T inverse = 1.0 / in_plane;
+  strain.inverse.rr = c.zz * inverse;
+  strain.inverse.zz = c.rr * inverse;
+  strain.inverse.rz = -c.rz * inverse;
+  strain.inverse.tt = 1.0 / c.tt;
+  return strain;
+}
+
+template <class T>
+void weigh(Symmetric<T>& sum, double weight, const Symmetric<T>& part) {
+  sum.rr += weight * part.rr;
+  sum.zz += weight * part.zz;
+  sum.tt += weight * part.tt;
+  sum.rz += weight * part.rz;
+}
+
+Eigen::Vector4d vector_of(const Symmetric<double>& s) { return {s.rr, s.zz, s.tt, s.rz}; }
+
+Symmetric<double> tensor_of(const Eigen::Vector4d& v) { return {v[0], v[1], v[2], v[3]}; }
+
+}  // namespace
+
+PointLaw::PointLaw(const Material& material)
+    : constants_(viscoelastic_constants(material)), updates_(constants_.branches.size()) {}
+
+void PointLaw::set_step(double step) {
+  for (std::size_t i = 0; i < updates_.size(); ++i) {
+    const double x = step / constants_.branches[i].relaxation_time;
+    updates_[i] = {std::exp(-x), std::isinf(x) ? 0.0 : -std::expm1(-x) / x};
+  }
+}
+
+double PointLaw::deviatoric_weight() const {
+  double weight = constants_.long_term_deviatoric;
+  for (std::size_t i = 0; i < updates_.size(); ++i)
+    weight += updates_[i].gain * constants_.branches[i].deviatoric_share;
+  return weight;
+}
+
+double PointLaw::volumetric_weight() const {
+  double weight = constants_.long_term_volumetric;
+  for (std::size_t i = 0; i < updates_.size(); ++i)
+    weight += updates_[i].gain * constants_.branches[i].volumetric_share;
+  return weight;
+}
+
+StressResponse PointLaw::respond(const Symmetric<double>& c, const BranchState* states) const {
+  const Symmetric<Dual> seeded{Dual(c.rr, 4, 0), Dual(c.zz, 4, 1), Dual(c.tt, 4, 2), Dual(c.rz, 4, 3)};
+  const Strain<Dual> strain = strain_from(seeded);
+  const auto zero = [] { return Dual(0.0, Eigen::Vector4d::Zero()); };
+  Symmetric<Dual> total{zero(), zero(), zero(), zero()};
+  with_elastic(constants_.elastic, [&](const auto& elastic) {
+    weigh(total, deviatoric_weight(), elastic.deviatoric_stress(strain));
+    weigh(total, volumetric_weight(), elastic.volumetric_stress(strain));
+  });
+  StressResponse response;
+  const Dual* components[4] = {&total.rr, &total.zz, &total.tt, &total.rz};
+  for (int i = 0; i < 4; ++i) {
+    response.stress[i] = components[i]->value();
+    response.tangent.row(i) = components[i]->derivatives();
+  }
+  response.tangent.leftCols<3>() *= 2.0;  // dC = 2 dE; C_rz moves with 2 E_rz as it is
+  for (int i = 0; i < branch_count(); ++i)
+    response.stress += updates_[i].decay * vector_of(states[i].stress) -
+                       updates_[i].gain * vector_of(states[i].drive);
+  return response;
+}
+
+PointLaw::Parts PointLaw::parts(const Symmetric<double>& c) const {
+  const Strain<double> strain = strain_from(c);
+  return with_elastic(constants_.elastic, [&](const auto& elastic) {
+    return Parts{vector_of(elastic.deviatoric_stress(strain)),
+                 vector_of(elastic.volumetric_stress(strain))};
+  });
+}
+
+Symmetric<double> PointLaw::stress(const Symmetric<double>& c, const BranchState* states) const {
+  const Parts now = parts(c);
+  Eigen::Vector4d total = deviatoric_weight() * now.deviatoric + volumetric_weight() * now.volumetric;
+  for (int i = 0; i < branch_count(); ++i)
+    total += updates_[i].decay * vector_of(states[i].stress) - updates_[i].gain * vector_of(states[i].drive);
+  return tensor_of(total);
+}
+
+void PointLaw::accept(const Symmetric<double>& c, BranchState* states) const {
+  if (branch_count() == 0) return;
+  const Parts now = parts(c);
+  for (int i = 0; i < branch_count(); ++i) {
+    const BranchConstants& branch = constants_.branches[i];
+    const Eigen::Vector4d drive =
+        branch.deviatoric_share * now.deviatoric + branch.volumetric_share * now.volumetric;
+    states[i].stress = tensor_of(updates_[i].decay * vector_of(states[i].stress) +
+                                 updates_[i].gain * (drive - vector_of(states[i].drive)));
+    states[i].drive = tensor_of(drive);
+  }
+}
+
+double PointLaw::stored_energy(const Symmetric<double>& c) const {
+  const Strain<double> strain = strain_from(c);
+  return with_elastic(constants_.elastic, [&](const auto& elastic) {
+    return constants_.long_term_deviatoric * elastic.deviatoric_energy(strain) +
+           constants_.long_term_volumetric * elastic.volumetric_energy(strain);
+  });
+}
+
+}  // namespace rebound::fem
