@@ -10,8 +10,7 @@
 #include "comparisons/config/document.hpp"
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/reader.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
-#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/modules/fem_runner.hpp"
 #include "comparisons/report/write_report.hpp"
 #include "comparisons/results/atomic_file.hpp"
 
@@ -31,11 +30,7 @@ std::string atlas_help() {
 
 FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
   const Sphere sphere = atlas_problem(grid, materials_of(grid).front(), grid.speeds.front()).sphere;
-  const Mesh mesh = sphere_mesh({.radius = sphere.radius(), .cells = grid.cells}).mesh;
-  const auto body = fem_tier().prepare(mesh, sphere.mass);
-  return [body, interrupted = control.interrupted](const FemProblem& problem) {
-    return body->simulate(problem, {.interrupted = interrupted, .progress = {}});
-  };
+  return fem_runner(sphere, grid.cells, control);
 }
 
 ExitCode run_atlas(const Session& session, const std::string& path) {

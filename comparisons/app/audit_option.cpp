@@ -5,8 +5,7 @@
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/audit/audit_text.hpp"
 #include "comparisons/config/impact_file.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
-#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/modules/fem_runner.hpp"
 #include "comparisons/results/atomic_file.hpp"
 
 namespace rebound {
@@ -20,12 +19,7 @@ ExitCode run_audit_option(const Session& session, const std::string& path,
   if (!session.out.empty()) make_writable_folder(session.out);
   ProgressLine progress("audit");
   const RunControl control = progress.control();
-  const CachedMesh mesh = sphere_mesh({.radius = request.problem.sphere.radius(),
-                                       .cells = request.problem.cells});
-  const auto body = fem_tier().prepare(mesh.mesh, request.problem.sphere.mass);
-  const FemRunner run = [&](const FemProblem& problem) {
-    return body->simulate(problem, {.interrupted = control.interrupted, .progress = {}});
-  };
+  const FemRunner run = fem_runner(request.problem.sphere, request.problem.cells, control);
   const Audit audit = run_audit(request, run, control);
   const Json json = to_json(audit);
   if (!session.out.empty()) {

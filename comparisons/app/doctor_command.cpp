@@ -7,10 +7,10 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/examples.hpp"
 #include "comparisons/app/print_result.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "lumped/integration/simulate.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -53,7 +53,7 @@ std::string look_at_fem_tier() {
   FemProblem problem = example_fem_problem();
   problem.material.branches.clear();
   problem.impact.speed = 1.0;
-  const Mesh mesh = sphere_mesh({.radius = problem.sphere.radius(), .cells = 100}, {}).mesh;
+  const Mesh mesh = generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = 100});
   const FemResult result = fem_tier().simulate(problem, mesh, {});
   if (!result.incomplete_because.empty())
     throw Error(ExitCode::solver_failed, result.incomplete_because);
@@ -73,12 +73,10 @@ std::vector<Finding> examine() {
     return look_at_folder(std::filesystem::temp_directory_path());
   }));
   findings.push_back(look_at("lumped tier", look_at_lumped_tier));
-  if (!has_modules()) {
+  if (!has_fem_tier()) {
     findings.push_back({"FE tier", "left out of this build (-DREBOUND_FEM=OFF)"});
     return findings;
   }
-  findings.push_back(look_at("mesh cache", [] { return look_at_folder(cache_folder()); }));
-  findings.push_back(look_at("mesh module", [] { return mesh_generator().versions(); }));
   findings.push_back(look_at("FE module", [] { return fem_tier().versions(); }));
   findings.push_back(look_at("FE tier", look_at_fem_tier));
   return findings;
@@ -97,7 +95,7 @@ ExitCode run_doctor(const Session& session) {
   if (session.json())
     print_result(session, {{"schema", 1},
                            {"version", REBOUND_VERSION},
-                           {"fem", has_modules()},
+                           {"fem", has_fem_tier()},
                            {"healthy", healthy},
                            {"findings", list}});
   return healthy ? ExitCode::done : ExitCode::comparison_failed;

@@ -9,9 +9,9 @@
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/units.hpp"
 #include "comparisons/drop_test/stored_calibration.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/results/atomic_file.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -37,9 +37,9 @@ DropOutcome fem_drop(const Document& document, const DropOptions& options) {
   problem.impact.speed = drop_speed(options.height);
   if (!problem.mesh_file.empty())
     throw document.error_at("model.mesh", "the drop test makes its own mesh", "cells instead of mesh");
-  const CachedMesh mesh = sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
+  const Mesh mesh = generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
   ProgressLine progress("FE impact");
-  const FemResult result = fem_tier().simulate(problem, mesh.mesh, progress.control());
+  const FemResult result = fem_tier().simulate(problem, mesh, progress.control());
   if (!result.incomplete_because.empty())
     throw Error(ExitCode::solver_failed, result.incomplete_because, {.file = document.name()});
   DropOutcome outcome;

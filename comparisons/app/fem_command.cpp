@@ -15,12 +15,12 @@
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/toml_writer.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/numerical_error/reference_json.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/results/result_folder.hpp"
 #include "meshes/format/msh.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 #include "meshes/quality/mesh_quality.hpp"
 
 namespace rebound {
@@ -51,9 +51,7 @@ Mesh mesh_for(const FemProblem& problem, int cells) {
     check_size(problem, mesh);
     return mesh;
   }
-  CachedMesh cached = sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
-  if (!cached.note.empty()) fmt::print(stderr, "rebound: {}\n", cached.note);
-  return std::move(cached.mesh);
+  return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
 }
 
 void prepare_output(const Session& session, const Document& document, FemProblem& problem) {
@@ -76,8 +74,7 @@ struct Outcome {
 Outcome simulate(const FemProblem& problem, Errors errors) {
   ProgressLine progress("FE impact");
   if (errors == Errors::reference) {
-    // The coarsest of three meshes: the finest has eight times the cells asked for.
-    const Mesh coarse = mesh_for(problem, std::max(problem.cells / 2, 20));
+    const Mesh coarse = mesh_for(problem, problem.cells);
     ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, progress.control());
     Json json = to_json(reference);
     return {std::move(reference.result), std::move(json)};
@@ -125,9 +122,9 @@ Action declare_fem(CLI::App& command) {
   command.add_option("FILE", *file, "Impact file with [model] tier = \"fem\"")->required();
   const auto reference = std::make_shared<bool>(false);
   command.add_flag("--reference", *reference,
-                   "Give every scalar and the trace a numerical error bar: three meshes, the finest "
-                   "of eight times the cells, half the step, speeds nearby. A mesh file is taken as "
-                   "the coarsest");
+                   "Give every scalar and the trace a numerical error bar: three meshes, from the "
+                   "cells asked for (or the mesh file) to 16 times as many, half the step, speeds "
+                   "nearby. The finest mesh is the result");
   command.footer(fem_help);
   return [file, reference](const Session& session) {
     return run_fem(session, *file, *reference ? Errors::reference : Errors::not_asked);

@@ -8,9 +8,9 @@
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/config/document.hpp"
 #include "comparisons/config/units.hpp"
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "meshes/format/msh.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 #include "meshes/quality/mesh_quality.hpp"
 
 namespace rebound {
@@ -19,7 +19,6 @@ namespace {
 struct MeshOptions {
   std::string file;
   std::string diameter;
-  std::string contact_radius;
   SphereMeshRequest request;
 };
 
@@ -41,11 +40,7 @@ Mesh mesh_of(const MeshOptions& options) {
   }
   SphereMeshRequest request = options.request;
   request.radius = 0.5 * length_of("--diameter", options.diameter);
-  if (!options.contact_radius.empty())
-    request.contact_radius = length_of("--contact-radius", options.contact_radius);
-  CachedMesh cached = sphere_mesh(request);
-  if (!cached.note.empty()) fmt::print(stderr, "rebound: {}\n", cached.note);
-  return std::move(cached.mesh);
+  return generate_sphere_mesh(request);
 }
 
 Json quality_json(const MeshQuality& quality) {
@@ -78,9 +73,9 @@ Action declare_mesh(CLI::App& command) {
   command.add_option("--diameter", options->diameter, "Diameter of the sphere, e.g. \"66.2 mm\"");
   command.add_option("--cells", options->request.cells, "About how many cells")
       ->capture_default_str();
-  command.add_option("--contact-radius", options->contact_radius,
-                     "Radius of the finely meshed zone (half the sphere's radius)");
-  command.add_option("--grading", options->request.grading, "Far cell size over contact cell size")
+  command.add_option("--grading", options->request.grading,
+                     "Cell size opposite the contact over that at it, 1 to 200; 30 for contacts "
+                     "below a tenth of the radius")
       ->capture_default_str();
   command.footer("--out NAME.msh writes the mesh there, --out DIR to DIR/sphere.msh.\n\n" +
                  exit_code_help());

@@ -124,7 +124,7 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
                                        [](const ObservedShot& s) { return s.history.has_value(); });
-  if (!d.selection.explains() && request.ask_fem && has_modules() && has_history)
+  if (!d.selection.explains() && request.ask_fem && has_fem_tier() && has_history)
     search_with_tier_gap(d, request, believed, all, whole);
 }
 

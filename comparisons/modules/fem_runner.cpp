@@ -1,13 +1,13 @@
 #include "comparisons/modules/fem_runner.hpp"
 
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "lumped/problem/error.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 
 FemRunner fem_runner(const Sphere& sphere, int cells, const RunControl& control) {
-  const Mesh mesh = sphere_mesh({.radius = sphere.radius(), .cells = cells}).mesh;
+  const Mesh mesh = generate_sphere_mesh({.radius = sphere.radius(), .cells = cells});
   const auto body = fem_tier().prepare(mesh, sphere.mass);
   const auto interrupted = control.interrupted;
   return [body, interrupted](const FemProblem& problem) {

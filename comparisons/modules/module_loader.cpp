@@ -11,15 +11,15 @@ namespace rebound {
 namespace {
 
 #ifdef REBOUND_HAS_FEM
-constexpr bool built_with_modules = true;
+constexpr bool built_with_fem = true;
 #else
-constexpr bool built_with_modules = false;
+constexpr bool built_with_fem = false;
 #endif
 
 /// Loads a module for good and calls its entry point.
 template <class Interface>
 const Interface& load(const std::string& name, const char* entry_point) {
-  if (!built_with_modules)
+  if (!built_with_fem)
     throw Error(ExitCode::bad_input,
                 "this program was built with -DREBOUND_FEM=OFF and has no module " + name +
                     "; build with -DREBOUND_FEM=ON to use the FE tier");
@@ -41,7 +41,7 @@ const Interface& load(const std::string& name, const char* entry_point) {
 
 }  // namespace
 
-bool has_modules() { return built_with_modules; }
+bool has_fem_tier() { return built_with_fem; }
 
 std::string module_file(const std::string& name) {
   std::error_code status;
@@ -55,11 +55,6 @@ std::string module_file(const std::string& name) {
 const FemTier& fem_tier() {
   static const FemTier& tier = load<FemTier>("rebound_fem", fem_entry_point);
   return tier;
-}
-
-const MeshGenerator& mesh_generator() {
-  static const MeshGenerator& generator = load<MeshGenerator>("rebound_mesh", mesh_entry_point);
-  return generator;
 }
 
 }  // namespace rebound

@@ -6,18 +6,16 @@
 
 namespace rebound {
 
-/// The FE tier and the mesh generator, loaded on first use from the folder of
-/// the program; they stay loaded. Not to be called from two threads at once
-/// the first time.
+/// The FE tier, loaded on first use from the folder of the program; it stays
+/// loaded. Not to be called from two threads at once the first time.
 ///
-/// Errors: Error(bad_input) in a program built without them
-/// (-DREBOUND_FEM=OFF); Error(input_output_failed), naming the file and the
-/// loader's reason, when a module that was built cannot be loaded.
+/// Errors: Error(bad_input) in a program built without it (-DREBOUND_FEM=OFF);
+/// Error(input_output_failed), naming the file and the loader's reason, when a
+/// module that was built cannot be loaded.
 const FemTier& fem_tier();
-const MeshGenerator& mesh_generator();
 
-/// Was the program built with the modules?
-bool has_modules();
+/// Was the program built with the FE tier?
+bool has_fem_tier();
 
 /// Where a module is looked for.
 std::string module_file(const std::string& name);

@@ -1,8 +1,8 @@
-#include "comparisons/modules/mesh_cache.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/synthesis/synthesize.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/problem/error.hpp"
+#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -24,7 +24,7 @@ ImpactSimulator simulator_of(const SynthesisFile& file, const RunControl& contro
     return [&file](const Sphere& sphere, const Impact& impact) {
       return simulate_lumped(file, sphere, impact);
     };
-  const Mesh mesh = sphere_mesh({.radius = file.sphere.radius(), .cells = file.fem.cells}).mesh;
+  const Mesh mesh = generate_sphere_mesh({.radius = file.sphere.radius(), .cells = file.fem.cells});
   return [&file, mesh, control](const Sphere& sphere, const Impact& impact) {
     FemProblem problem = file.fem;
     problem.sphere = sphere;

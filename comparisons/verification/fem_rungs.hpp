@@ -5,9 +5,6 @@
 
 namespace rebound {
 
-/// Makes the sphere's mesh; the command gives it the cache.
-using SphereMesher = Mesh (*)(const SphereMeshRequest&);
-
 /// Impacts of the FE tier with a known answer, and the invariants of every one:
 ///
 ///   d    sphere at 0.1, 0.5 and 1 m/s: Hertz with the finite-sphere correction
@@ -17,6 +14,6 @@ using SphereMesher = Mesh (*)(const SphereMeshRequest&);
 ///
 /// Some ten seconds. Errors: those of the tier; Error(solver_failed) where an
 /// impact does not complete.
-VerificationTable verify_fem(const FemTier& tier, SphereMesher mesher, const RunControl& control);
+VerificationTable verify_fem(const FemTier& tier, const RunControl& control);
 
 }  // namespace rebound

@@ -33,17 +33,18 @@ inline constexpr double ball_mass = 0.0896, ball_radius = 0.0331;      // [kg], 
 inline constexpr double ball_modulus = 10e6, ball_poisson_ratio = 0.4;  // [Pa], [-]
 
 /// Rung d: elastic impact, Hertz with the finite-sphere correction (linear,
-/// quasi-static), what of it FE is asked for, and the mesh that resolves it.
+/// quasi-static), and what of it FE is asked for.
 struct SphereImpact {
   double speed;                            // [m/s]
   double force, force_tolerance;           // [N], relative
   double time, time_tolerance;             // [s], relative
-  double contact_radius, grading;          // of the mesh: over R, far over near
 };
 inline constexpr SphereImpact sphere_impacts[] = {
-    {0.1, 6.722, 0.005, 4.944e-3, 0.005, 0.10, 12},
-    {0.5, 47.94, 0.02, 3.498e-3, 0.015, 0.18, 8},
-    {1.0, 112.93, 0.02, 2.992e-3, 0.02, 0.25, 6}};
+    {0.1, 6.722, 0.005, 4.944e-3, 0.005},
+    {0.5, 47.94, 0.02, 3.498e-3, 0.015},
+    {1.0, 112.93, 0.02, 2.992e-3, 0.02}};
+/// Mesh grading that resolves a contact of a twentieth of the radius.
+inline constexpr double low_speed_grading = 30.0;
 
 /// Rung d′: bar without lateral contraction, σ = ρ c v, t = 2 L/c, e = 1.
 inline constexpr double bar_radius = 0.01, bar_length = 0.05, bar_speed = 0.1;  // [m], [m], [m/s]

@@ -32,8 +32,9 @@ class ExplicitImpact {
 
  private:
   void step();
-  void record_samples(const BodyMotion::Sums& before);
-  void book_energies(const BodyMotion::Sums& before, const BodyMotion::Sums& after);
+  void record_samples(const BodyMotion::Sums& before, const PlateStep& now);
+  void book_energies(const BodyMotion::Sums& before, const PlateStep& now,
+                     const BodyMotion::Sums& after);
   bool contact_is_over() const;
   void choose_next_step();
   FemResult finish(std::string incomplete_because);
@@ -108,9 +109,10 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
                            body.position.begin());
 }
 
-/// Energies at the current instant t_n, from the velocities half a step
-/// before and after.
-void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMotion::Sums& after) {
+/// Energies at the current instant t_n, from the velocities half a step before
+/// and after. Half of what the plate takes at that instant is in their mean.
+void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const PlateStep& now,
+                                   const BodyMotion::Sums& after) {
   const double mass = motion_.total_mass();
   const double kinetic = 0.5 * (before.kinetic + after.kinetic);
   const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
@@ -120,8 +122,8 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMot
   // An elastic body has no branches: its internal work is then not used, and
   // the balance below holds the stress against the energy it derives from.
   book_.branches = material_.branches.empty() ? 0.0 : internal_work_ - book_.stored;
-  book_.contact_constraint = -constraint_work_;
-  book_.friction = friction_work_ == 0.0 ? 0.0 : -friction_work_;
+  book_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
+  book_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
   const PlateState plate = plate_->state();
   book_.plate_kinetic = plate.kinetic;
   book_.plate_spring = plate.spring;
@@ -136,9 +138,9 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const BodyMot
 }
 
 /// Samples are placed by the linear motion over the step.
-void ExplicitImpact::record_samples(const BodyMotion::Sums& before) {
+void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateStep& now) {
   const BodyMotion::Sums after = motion_.sums();
-  book_energies(before, after);
+  book_energies(before, now, after);
   const double mean_height = motion_.mean_height();
   const double speed_now = after.momentum / motion_.total_mass();
   const PlateState plate = plate_->state();
@@ -186,7 +188,7 @@ void ExplicitImpact::step() {
   recorder_.add_impulse(plate.impulse, start, end);
   recorder_.add_reading(plate.reading, start, end);
   if (plate.impulse > 0.0) last_contact_ = end;
-  if (sampling) record_samples(before);
+  if (sampling) record_samples(before, plate);
   internal_work_ += motion_.half_step_work(step_);
 
   motion_.drift(step_);

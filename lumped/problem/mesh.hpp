@@ -20,8 +20,7 @@ struct Mesh {
 struct SphereMeshRequest {
   double radius = 0.0;          ///< [m]
   int cells = 1000;             ///< about
-  double contact_radius = 0.0;  ///< expected largest contact radius [m]; 0: half the sphere's
-  double grading = 4.0;         ///< far cell size over contact cell size, >= 1
+  double grading = 1.5;         ///< cell size opposite the pole over that at it, >= 1
 };
 
 /// Shape figures of a mesh; the solver refuses a mesh whose worst Jacobian is not positive.

@@ -9,8 +9,8 @@
 #include "lumped/problem/result.hpp"
 #include "lumped/problem/run_control.hpp"
 
-/// The narrow interfaces of the two modules that are loaded on first use,
-/// so that the program itself links no deal.II, no Gmsh and no MPI.
+/// The narrow interface of the module that is loaded on first use, so that the
+/// program itself links no deal.II and no MPI.
 namespace rebound {
 
 /// A body cut into cells, ready for any number of impacts. The object is not
@@ -46,24 +46,15 @@ class FemTier {
 /// from several threads at once.
 using FemRunner = std::function<FemResult(const FemProblem&)>;
 
-/// Module "rebound_mesh": meshes through the Gmsh API.
-class MeshGenerator {
- public:
-  virtual ~MeshGenerator() = default;
-  virtual Mesh sphere(const SphereMeshRequest& request) const = 0;
-  virtual std::string versions() const = 0;
-};
-
 /// Changes when a record that crosses the boundary does. Program and module
 /// are built together; a stale one of the two must be refused, not crash.
 inline constexpr unsigned long interface_stamp =
     1 + 31 * sizeof(FemProblem) + 1009 * sizeof(FemResult) + 30011 * sizeof(EnergyBook) +
-    900007 * sizeof(Mesh) + 27000011 * sizeof(SphereMeshRequest);
+    900007 * sizeof(Mesh);
 
-/// Names of the entry points: `extern "C"` functions that take the caller's
-/// interface_stamp and return an object living as long as the module, or null
+/// Name of the entry point: an `extern "C"` function that takes the caller's
+/// interface_stamp and returns an object living as long as the module, or null
 /// when the stamp is not the module's own.
 inline constexpr const char* fem_entry_point = "rebound_fem_tier";
-inline constexpr const char* mesh_entry_point = "rebound_mesh_generator";
 
 }  // namespace rebound

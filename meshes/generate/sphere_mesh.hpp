@@ -7,17 +7,25 @@ namespace rebound {
 /// Meshes the half-disc of a sphere resting on the plate with quadrilaterals.
 ///
 /// Geometry: 0 ≤ r, r² + (z − R)² ≤ R²; pole of first touch at the origin.
-/// Cell size h: h_c within `contact_radius` of the origin, growing linearly
-/// with distance to `grading` h_c at the far pole. h_c is adjusted until the
-/// number of cells is within 5 % of `cells`, in at most eight attempts, of
-/// which the closest is kept.
 ///
-/// Valid:  cells ≥ 20, 1 ≤ grading ≤ 100, 0 ≤ contact_radius < radius.
-/// Caution: below 150 cells single corners get sharp (scaled Jacobian 0.13 has
-///         been seen; above, 0.4 and more) -> test SphereMeshTest.
-/// Errors: Error(bad_input) outside that; Error(solver_failed) when Gmsh
-///         cannot make a mesh of quadrilaterals alone.
-/// Source: Gmsh 4.8 API, frontal quad meshing with full-quad recombination.
+/// A unit disc is cut into a core of n × 2n cells and m rings around it, whose
+/// outer vertices lie evenly on the circle. A Möbius map of the disc onto
+/// itself, w = r + i z about the centre,
+///
+///   w → (w − i a) / (1 + i a w),   a = (√g − 1)/(√g + 1)
+///
+/// then draws all cells towards the pole: it keeps angles, and the cells at the
+/// pole become g times smaller than those opposite, g the grading.
+///
+///   cells = 2n² + 4nm,   m/n about 0.4
+///
+/// Valid:   cells ≥ 20, 1 ≤ grading ≤ 200.
+/// Limit:   scaled Jacobian above 0.5, the count within 5 % from 150 cells,
+///          volume of second order -> tests SphereMeshTest.
+/// Caution: five cells meet at no vertex and three at each core corner; those
+///          cells are the smallest angles of the mesh.
+/// Errors:  Error(bad_input) outside that.
+/// Source:  Möbius maps: Needham, Visual Complex Analysis (1997), ch. 3.
 Mesh generate_sphere_mesh(const SphereMeshRequest& request);
 
 }  // namespace rebound

@@ -57,7 +57,6 @@ class ProgramTest : public ::testing::Test {
     arguments.insert(arguments.begin(), REBOUND_PROGRAM);
     run.arguments = std::move(arguments);
     run.folder = folder.path();
-    run.environment.push_back("REBOUND_CACHE=" + (folder.path() / "cache").string());
     return run_program(run);
   }
   bool there(const std::string& name) const {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "fem/schemes/explicit_impact.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
@@ -17,7 +20,8 @@ inline FemResult checked_impact(const Mesh& mesh, const FemProblem& problem) {
   EXPECT_LE(result.closures.impulse, 1e-6);
   EXPECT_LE(result.closures.energy, 1e-3);
   EXPECT_NEAR(result.scalars.restitution, result.restitution_momentum, 1e-6);
-  EXPECT_LE(result.contact_constraint_share, 3.2e-3);
+  // 3e-3 at working resolution; the catch of a node goes with the cell size.
+  EXPECT_LE(result.contact_constraint_share, 3e-3 * std::sqrt(std::max(1.0, 1000.0 / result.cells)));
   return result;
 }
 

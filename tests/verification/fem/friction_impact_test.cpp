@@ -10,7 +10,7 @@ namespace {
 
 const Mesh& slow_mesh() {
   static const Mesh made = generate_sphere_mesh(
-      {.radius = 0.0331, .cells = 1000, .contact_radius = 0.10 * 0.0331, .grading = 12});
+      {.radius = 0.0331, .cells = 1000, .grading = 30.0});
   return made;
 }
 const Mesh& fast_mesh() {

@@ -52,7 +52,7 @@ Expected finite_sphere_impact(const Pair& pair) {
 
 const Mesh& slow_mesh() {
   static const Mesh made = generate_sphere_mesh(
-      {.radius = 0.0331, .cells = 1000, .contact_radius = 0.10 * 0.0331, .grading = 12});
+      {.radius = 0.0331, .cells = 1000, .grading = 60.0});
   return made;
 }
 const Mesh& fast_mesh() {
@@ -64,7 +64,7 @@ FemResult impact(double speed, const Plate& plate, const Mesh& mesh) {
   FemProblem problem = test::common_case(speed);
   problem.plate = plate;
   FemResult result = test::checked_impact(mesh, problem);
-  EXPECT_LT(result.closures.energy, speed > 1 ? 8e-5 : 1e-5);
+  EXPECT_LT(result.closures.energy, speed > 1 ? 2e-4 : 1e-5);
   return result;
 }
 
@@ -82,12 +82,14 @@ TEST(MovingPlateImpact, TheClosedFormIsRungDForAWall) {
 }
 
 TEST(MovingPlateImpact, FreePlateIsATwoBodyImpact) {
-  // The lighter the plate, the shorter the contact and the less quasi-static.
+  // The lighter the plate, the shorter the contact and the less quasi-static: for two equal
+  // masses the force converges to 0.992 of the quasi-static one (10 000 cells), for three to one
+  // within 0.005.
   struct Case {
     double plate_mass, tolerance;
   };
   for (const auto& [plate_mass, tolerance] :
-       {Case{0.2 * ball, 0.02}, Case{ball, 0.005}, Case{3.0 * ball, 0.005}}) {
+       {Case{0.2 * ball, 0.02}, Case{ball, 0.01}, Case{3.0 * ball, 0.005}}) {
     const FemResult result = impact(
         0.1, {.stiffness = almost_free, .mass = plate_mass, .damping_ratio = 0.0}, slow_mesh());
     const Expected expected = finite_sphere_impact({ball * plate_mass / (ball + plate_mass), 0.1});

@@ -1,6 +1,7 @@
 #include "comparisons/modules/module_loader.hpp"
 
-#include "comparisons/modules/mesh_cache.hpp"
+#include <gtest/gtest.h>
+
 #include "tests/support/refusals.hpp"
 
 namespace rebound {
@@ -13,24 +14,13 @@ TEST(ModuleLoaderTest, ModulesAreLookedForBesideTheProgram) {
 }
 
 TEST(ModuleLoaderTest, ABuildWithoutTheFemTierSaysSo) {
-  if (has_modules()) {
-    EXPECT_FALSE(mesh_generator().versions().empty());
+  if (has_fem_tier()) {
+    EXPECT_FALSE(fem_tier().versions().empty());
     return;
   }
   const Error error = testing::refusal_of([] { fem_tier(); });
   EXPECT_EQ(error.code(), ExitCode::bad_input);
   EXPECT_NE(std::string(error.what()).find("REBOUND_FEM"), std::string::npos);
-}
-
-TEST(CacheFolderTest, TheNearestVariableDecides) {
-  ::setenv("HOME", "/h", 1);
-  ::unsetenv("REBOUND_CACHE");
-  ::unsetenv("XDG_CACHE_HOME");
-  EXPECT_EQ(cache_folder(), "/h/.cache/rebound");
-  ::setenv("XDG_CACHE_HOME", "/x", 1);
-  EXPECT_EQ(cache_folder(), "/x/rebound");
-  ::setenv("REBOUND_CACHE", "/r", 1);
-  EXPECT_EQ(cache_folder(), "/r");
 }
 
 }  // namespace
