@@ -1,6 +1,6 @@
 #include "lumped/integration/cvode_solver.hpp"
 
-#include <cvode/cvode.h>
+#include <cvodes/cvodes.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
@@ -32,6 +32,17 @@ int indicators(realtype, N_Vector y, realtype* values, void* data) {
   return 0;
 }
 
+int variation(int, realtype, N_Vector y, N_Vector, int direction, N_Vector s, N_Vector s_rate,
+              void* data, N_Vector, N_Vector) {
+  const auto& system = *static_cast<CvodeSystem*>(data);
+  double* values = N_VGetArrayPointer(s_rate);
+  system.variation(N_VGetArrayPointer(y), static_cast<std::size_t>(direction),
+                   N_VGetArrayPointer(s), values);
+  const bool fine = std::all_of(values, values + system.size,
+                                [](double value) { return std::isfinite(value); });
+  return fine ? 0 : 1;
+}
+
 // CVODE would print on standard error; the failure is thrown instead.
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
@@ -60,6 +71,7 @@ struct CvodeSolver::Handles {
   CvodeSystem system;
   SUNContext context = nullptr;
   N_Vector y = nullptr, tolerance = nullptr;
+  N_Vector* variations = nullptr;
   SUNMatrix matrix = nullptr;
   SUNLinearSolver linear = nullptr;
   void* cvode = nullptr;
@@ -79,6 +91,7 @@ struct CvodeSolver::Handles {
     if (cvode) CVodeFree(&cvode);
     if (linear) SUNLinSolFree(linear);
     if (matrix) SUNMatDestroy(matrix);
+    if (variations) N_VDestroyVectorArray(variations, static_cast<int>(system.directions));
     if (tolerance) N_VDestroy(tolerance);
     if (y) N_VDestroy(y);
     if (context) SUNContext_Free(&context);
@@ -101,9 +114,23 @@ CvodeSolver::CvodeSolver(CvodeSystem system, const CvodeTolerances& tolerances,
   check(CVodeSetLinearSolver(h.cvode, h.linear, h.matrix), "starting");
   check(CVodeSetNonlinConvCoef(h.cvode, tolerances.newton), "starting");
   check(CVodeSetMaxNumSteps(h.cvode, 1'000'000), "starting");
+  if (h.system.directions == 0) return;
+  const auto directions = static_cast<int>(h.system.directions);
+  h.variations = created(N_VCloneVectorArray(directions, h.y), "creating vectors");
+  for (int i = 0; i < directions; ++i) N_VConst(0.0, h.variations[i]);
+  check(CVodeSensInit1(h.cvode, directions, CV_SIMULTANEOUS, rebound::variation, h.variations),
+        "starting the sensitivities");
+  std::vector<double> sizes = tolerances.parameter_sizes;
+  check(CVodeSetSensParams(h.cvode, nullptr, sizes.data(), nullptr), "starting the sensitivities");
+  check(CVodeSensEEtolerances(h.cvode), "starting the sensitivities");
+  check(CVodeSetSensErrCon(h.cvode, SUNTRUE), "starting the sensitivities");
 }
 
 CvodeSolver::~CvodeSolver() = default;
+
+double* CvodeSolver::variation(std::size_t direction) {
+  return N_VGetArrayPointer(handles_->variations[direction]);
+}
 
 double* CvodeSolver::state() { return N_VGetArrayPointer(handles_->y); }
 
@@ -111,6 +138,8 @@ void CvodeSolver::restart(double time, std::span<const int> directions) {
   Handles& h = *handles_;
   h.watched = directions.size();
   check(CVodeReInit(h.cvode, time, h.y), "restarting");
+  if (h.variations)
+    check(CVodeSensReInit(h.cvode, CV_SIMULTANEOUS, h.variations), "restarting");
   check(CVodeRootInit(h.cvode, static_cast<int>(h.watched), h.watched ? indicators : nullptr),
         "restarting");
   if (h.watched == 0) return;
@@ -123,6 +152,7 @@ CvodeSolver::Reached CvodeSolver::advance(double time, const char* doing) {
   Reached reached;
   const int flag = CVode(h.cvode, time, h.y, &reached.time, CV_NORMAL);
   check(flag, doing);
+  if (h.variations) check(CVodeGetSens(h.cvode, &reached.time, h.variations), doing);
   reached.at_event = flag == CV_ROOT_RETURN;
   if (!reached.at_event) return reached;
   std::vector<int> found(h.watched);

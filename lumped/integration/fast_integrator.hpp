@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lumped/integration/contact_scales.hpp"
+#include "lumped/integration/direction.hpp"
 #include "lumped/integration/eighth_order_step.hpp"
 #include "lumped/integration/septic.hpp"
 #include "lumped/laws/contact_law.hpp"
@@ -33,13 +34,6 @@ struct Knot {
 
   HermiteEnd root() const { return {u, v, acceleration, jerk}; }              ///< u(τ)
   HermiteEnd clock() const { return {t, 2.0 * u, 2.0 * v, 2.0 * acceleration}; }  ///< t(τ)
-};
-
-/// What a derivative is taken by.
-struct Direction {
-  enum class Of { nothing, law, mass, speed };
-  Of of = Of::nothing;
-  std::size_t parameter = 0;  ///< of the law, in the order of its card
 };
 
 /// Integrates one impact in a few microseconds, compiled for the law, without
@@ -94,6 +88,11 @@ class FastIntegrator {
   /// Derivatives at a knot, at fixed τ.
   struct Variation {
     Row u, v, acceleration, t;
+
+    /// δt(τ), whose slope is 2 δu and whose curvature is 2 δv.
+    HermiteEnd clock(std::size_t i) const {
+      return {t[i], 2.0 * u[i], 2.0 * v[i], 2.0 * acceleration[i]};
+    }
   };
   std::span<const Variation> variations() const {
     return {variation_.data(), static_cast<std::size_t>(knots_)};

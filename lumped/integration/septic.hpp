@@ -12,6 +12,7 @@ struct HermiteEnd {
 /// Error: eighth order in h -> test SepticTest.ReproducesSeventhDegree.
 class Septic {
  public:
+  Septic() = default;
   Septic(const HermiteEnd& start, const HermiteEnd& end, double h) {
     const double h2 = 0.5 * h * h, h3 = h * h * h * (1.0 / 6.0);
     c0_ = start.value;
@@ -39,9 +40,14 @@ class Septic {
                 s * (3.0 * c3_ +
                      s * (4.0 * c4_ + s * (5.0 * c5_ + s * (6.0 * c6_ + s * 7.0 * c7_)))));
   }
+  /// d²/dθ².
+  double second_derivative(double s) const {
+    return 2.0 * c2_ +
+           s * (6.0 * c3_ + s * (12.0 * c4_ + s * (20.0 * c5_ + s * (30.0 * c6_ + s * 42.0 * c7_))));
+  }
 
  private:
-  double c0_, c1_, c2_, c3_, c4_, c5_, c6_, c7_;
+  double c0_ = 0, c1_ = 0, c2_ = 0, c3_ = 0, c4_ = 0, c5_ = 0, c6_ = 0, c7_ = 0;
 };
 
 }  // namespace rebound

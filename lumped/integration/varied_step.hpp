@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lumped/integration/fast_integrator.hpp"
+
+namespace rebound {
+
+/// Force at one point of the motion and what follows it by each direction.
+template <std::size_t Width>
+struct VariedForce {
+  double u, v;                       ///< √x and ẋ
+  ForceSlopes force;
+  std::array<double, Width> du, dv;  ///< δ√x and δẋ, at fixed τ
+  std::array<double, Width> dt;      ///< δt, at fixed τ
+  std::array<double, Width> by;      ///< ∂F/∂p at fixed x and ẋ
+
+  /// δF at fixed τ, which is all of it where F does not change in time.
+  double at_fixed_tau(std::size_t i) const {
+    const double by_x = u == 0.0 ? 0.0 : 2.0 * force.by_log_deflection / u * du[i];
+    return by_x + force.by_speed * dv[i] + by[i];
+  }
+  /// dF/dτ.
+  double rate(double mass) const {
+    const double by_x = u == 0.0 ? 0.0 : 2.0 * force.by_log_deflection / u * v;
+    return by_x - force.by_speed * 2.0 * u * force.force / mass;
+  }
+  /// δF at fixed time: x moves on by −v δt, ẋ by F/m δt.
+  double at_fixed_time(std::size_t i, double mass) const {
+    if (u == 0.0) return at_fixed_tau(i);
+    return at_fixed_tau(i) -
+           (force.by_log_deflection / (u * u) * v - force.by_speed * force.force / mass) * dt[i];
+  }
+  /// δF at fixed x: the point at which x is reached moves by δτ = −δu/v.
+  double at_fixed_deflection(std::size_t i, double mass) const {
+    const double acceleration = -2.0 * u * force.force / mass;
+    return force.by_speed * (dv[i] - acceleration / v * du[i]) + by[i];
+  }
+};
+
+/// Motion and its derivatives within one step of the fast integrator: u from its own
+/// polynomial, δu and δv as slope and curvature of the one of δt.
+///
+/// Error: seventh and sixth order in the step.
+template <ContactLaw Law, std::size_t Width>
+class VariedStep {
+ public:
+  using Integrator = FastIntegrator<Law, Width>;
+
+  VariedStep(const Law& law, const Integrator& run, std::size_t k,
+             const std::array<Direction, Width>& directions)
+      : law_(law), directions_(directions), inverse_(1.0 / run.knots()[k].step),
+        root_(run.knots()[k].root(), run.knots()[k + 1].root(), run.knots()[k].step) {
+    for (std::size_t i = 0; i < Width; ++i)
+      clocks_[i] = Septic(run.variations()[k].clock(i), run.variations()[k + 1].clock(i),
+                          run.knots()[k].step);
+  }
+
+  const Septic& root() const { return root_; }
+
+  VariedForce<Width> at(double s) const {
+    VariedForce<Width> point;
+    point.u = root_.value(s);
+    point.v = root_.derivative(s) * inverse_;
+    point.force = law_.at_root(point.u, point.v);
+    for (std::size_t i = 0; i < Width; ++i) {
+      point.dt[i] = clocks_[i].value(s);
+      point.du[i] = 0.5 * inverse_ * clocks_[i].derivative(s);
+      point.dv[i] = 0.5 * inverse_ * inverse_ * clocks_[i].second_derivative(s);
+      point.by[i] = directions_[i].of == Direction::Of::law
+                        ? law_.slope_by(directions_[i].parameter, point.u, point.v)
+                        : 0.0;
+    }
+    return point;
+  }
+
+ private:
+  const Law& law_;
+  std::array<Direction, Width> directions_;
+  double inverse_;
+  Septic root_;
+  std::array<Septic, Width> clocks_;
+};
+
+}  // namespace rebound
