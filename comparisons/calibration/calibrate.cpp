@@ -39,7 +39,7 @@ double drawn_start(const CalibrationParameter& p, std::mt19937_64& generator) {
   return p.lowest + u * (p.highest - p.lowest);
 }
 
-Optimum surroundings(const Attempt& best, const DifferencedCost& cost) {
+Optimum surroundings(const Attempt& best, const CalibrationCost& cost) {
   const auto rows = static_cast<Eigen::Index>(cost.num_residuals());
   const auto columns = static_cast<Eigen::Index>(best.y.size());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(rows, columns);
@@ -47,6 +47,7 @@ Optimum surroundings(const Attempt& best, const DifferencedCost& cost) {
                   Eigen::VectorXd(rows), {}, {}};
   const double* at[] = {best.y.data()};
   double* out[] = {jacobian.data()};
+  if (cost.met_no_answer()) cost.look_for_edges(best.y);
   if (!cost.Evaluate(at, optimum.residuals.data(), out)) {
     if (cost.failure()) std::rethrow_exception(cost.failure());
     throw Error(ExitCode::solver_failed, "the model has no answer around the estimates");
@@ -69,7 +70,7 @@ std::vector<double> start_of(const CalibrationProblem& problem) {
 }
 
 /// Best of the searches from the given start and from seeded ones.
-Attempt best_attempt(const CalibrationProblem& problem, DifferencedCost& cost,
+Attempt best_attempt(const CalibrationProblem& problem, CalibrationCost& cost,
                      const RunControl& control) {
   std::mt19937_64 generator(problem.controls.seed);
   Attempt best;
@@ -91,7 +92,7 @@ CalibrationResult fit(const CalibrationProblem& problem, const std::vector<doubl
                       const RunControl& control) {
   CalibrationResult result;
   result.cost_before = half_square(first);
-  DifferencedCost cost(problem, static_cast<int>(first.size()));
+  CalibrationCost cost(problem, static_cast<int>(first.size()));
   const Attempt best = best_attempt(problem, cost, control);
   result.cost_after = best.cost;
   result.converged = best.converged;
@@ -135,6 +136,37 @@ CalibrationResult fit_robustly(CalibrationProblem& problem, std::size_t data,
   return result;
 }
 
+/// Residuals and behind them their slopes, as one row of numbers, and back.
+std::vector<double> flat(VariedResiduals varied) {
+  varied.residuals.insert(varied.residuals.end(), varied.slopes.begin(), varied.slopes.end());
+  return std::move(varied.residuals);
+}
+VariedResiduals parted(const std::vector<double>& row, std::size_t unknowns) {
+  const auto middle = row.begin() + static_cast<std::ptrdiff_t>(row.size() / (1 + unknowns));
+  return {{row.begin(), middle}, {middle, row.end()}};
+}
+
+/// The problem as its checkpoint sees it: what is remembered of a model with slopes is both.
+CalibrationProblem flattened(const CalibrationProblem& problem) {
+  CalibrationProblem one = problem;
+  if (problem.varied)
+    one.residuals = [varied = problem.varied](const std::vector<double>& x) {
+      return flat(varied(x));
+    };
+  return one;
+}
+void answer_from(RememberedResiduals& memory, CalibrationProblem& problem) {
+  const bool varied = static_cast<bool>(problem.varied);
+  const std::size_t unknowns = problem.parameters.size();
+  problem.residuals = [&memory, varied, unknowns](const std::vector<double>& x) {
+    return varied ? parted(memory(x), unknowns).residuals : memory(x);
+  };
+  if (varied)
+    problem.varied = [&memory, unknowns](const std::vector<double>& x) {
+      return parted(memory(x), unknowns);
+    };
+}
+
 CalibrationResult fit_all(CalibrationProblem problem, const std::vector<double>& first,
                           std::size_t data, const RunControl& control) {
   CalibrationResult result = fit(problem, first, control);
@@ -171,8 +203,8 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const RunControl&
     throw Error(ExitCode::bad_input, "the residuals at the start are not finite");
   if (problem.controls.checkpoint.empty()) return fit_all(std::move(whole), first, data, control);
 
-  RememberedResiduals memory(whole, first);
-  whole.residuals = [&memory](const std::vector<double>& x) { return memory(x); };
+  RememberedResiduals memory(flattened(whole), whole.varied ? flat(whole.varied(start)) : first);
+  answer_from(memory, whole);
   try {
     CalibrationResult result = fit_all(whole, first, data, control);
     memory.save();

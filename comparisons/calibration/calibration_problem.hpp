@@ -35,6 +35,13 @@ struct CalibrationParameter {
 /// the search then keeps away from there. Other errors end the calibration.
 using ResidualFunction = std::function<std::vector<double>(const std::vector<double>&)>;
 
+/// Residuals with their derivatives by the parameters.
+struct VariedResiduals {
+  std::vector<double> residuals;
+  std::vector<double> slopes;  ///< ∂r/∂x, one row a residual
+};
+using VariedResidualFunction = std::function<VariedResiduals(const std::vector<double>&)>;
+
 /// What σ in the residuals means.
 enum class NoiseKnowledge {
   known,      ///< σ are the data's standard deviations: intervals follow from them
@@ -78,6 +85,8 @@ struct CalibrationControls {
 struct CalibrationProblem {
   std::vector<CalibrationParameter> parameters;
   ResidualFunction residuals;
+  /// Where the model knows its derivatives; empty: they are differences.
+  VariedResidualFunction varied{};
   NoiseKnowledge noise = NoiseKnowledge::estimated;
   CalibrationControls controls;
 };
@@ -127,7 +136,7 @@ struct CalibrationResult {
 };
 
 /// Weighted least squares, min ½ Σ r², within the bounds, by Ceres'
-/// Levenberg–Marquardt method with differenced derivatives.
+/// Levenberg–Marquardt method, with the model's own derivatives or differences.
 ///
 ///   standard errors   √diag[s² (JᵀJ)⁻¹],  s² = 1 or Σ r²/(N − M)
 ///   intervals         normal, or Student's t with N − M degrees of freedom

@@ -25,6 +25,24 @@ double softened(double r, RobustLoss loss, double a) {
   return r;
 }
 
+/// Derivative of the same by r.
+double softening(double r, RobustLoss loss, double a) {
+  const double s = std::abs(r / a);
+  switch (loss) {
+    case RobustLoss::none: return 1.0;
+    case RobustLoss::huber: return s <= 1.0 ? 1.0 : 1.0 / std::sqrt(2.0 * s - 1.0);
+    case RobustLoss::soft_l1: {
+      const double root = std::sqrt(1.0 + s * s);
+      return std::sqrt(0.5 * (root + 1.0)) / root;  // s/√(2 (root − 1)) over root
+    }
+    case RobustLoss::cauchy: {
+      const double log = std::log1p(s * s);
+      return log == 0.0 ? 1.0 : s / ((1.0 + s * s) * std::sqrt(log));
+    }
+  }
+  return 1.0;
+}
+
 }  // namespace
 
 CalibrationProblem with_priors(const CalibrationProblem& problem) {
@@ -47,6 +65,18 @@ CalibrationProblem with_priors(const CalibrationProblem& problem) {
         r.push_back((x[i] - prior->mean) / prior->deviation);
     return r;
   };
+  if (!problem.varied) return whole;
+  whole.varied = [parameters, data = problem.varied](const std::vector<double>& x) {
+    VariedResiduals r = data(x);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      if (const auto& prior = parameters[i].prior) {
+        r.residuals.push_back((x[i] - prior->mean) / prior->deviation);
+        r.slopes.resize(r.slopes.size() + parameters.size(), 0.0);
+        *(r.slopes.end() - static_cast<std::ptrdiff_t>(parameters.size() - i)) =
+            1.0 / prior->deviation;
+      }
+    return r;
+  };
   return whole;
 }
 
@@ -56,6 +86,18 @@ CalibrationProblem with_loss(const CalibrationProblem& problem, std::size_t data
                       scale](const std::vector<double>& x) {
     std::vector<double> r = inner(x);
     for (std::size_t i = 0; i < std::min(data, r.size()); ++i) r[i] = softened(r[i], loss, scale);
+    return r;
+  };
+  if (!problem.varied) return softer;
+  softer.varied = [inner = problem.varied, loss = problem.controls.loss, data,
+                   scale](const std::vector<double>& x) {
+    VariedResiduals r = inner(x);
+    const std::size_t unknowns = x.size();
+    for (std::size_t i = 0; i < std::min(data, r.residuals.size()); ++i) {
+      const double factor = softening(r.residuals[i], loss, scale);
+      for (std::size_t j = 0; j < unknowns; ++j) r.slopes[i * unknowns + j] *= factor;
+      r.residuals[i] = softened(r.residuals[i], loss, scale);
+    }
     return r;
   };
   return softer;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "comparisons/calibration/reference_checks.hpp"
+#include "comparisons/calibration/residual_slopes.hpp"
 
 namespace rebound {
 
@@ -25,20 +26,52 @@ ForceDeflectionResiduals::ForceDeflectionResiduals(const std::vector<ReferenceSh
   }
 }
 
+LumpedProblem ForceDeflectionResiduals::problem_for(const Prepared& prepared,
+                                                   const LumpedModel& model,
+                                                   const RecordErrors& errors) const {
+  LumpedProblem problem{.sphere = prepared.shot->sphere, .impact = prepared.shot->impact,
+                        .model = model, .controls = {.relative_tolerance = fit_tolerance}};
+  problem.impact.speed *= errors.speed_factor;
+  return problem;
+}
+
 std::vector<double> ForceDeflectionResiduals::operator()(const ModelOfShot& model_of,
                                                          const ErrorsOfShot& errors_of) const {
   std::vector<double> residuals;
   for (std::size_t k = 0; k < shots_.size(); ++k) {
     const auto& [shot, points, reference, sigma] = shots_[k];
     const RecordErrors errors = errors_of ? errors_of(k) : RecordErrors{};
-    LumpedProblem problem{.sphere = shot->sphere, .impact = shot->impact, .model = model_of(k),
-                          .controls = {}};
-    problem.impact.speed *= errors.speed_factor;
-    const std::vector<double> model = forces_at(problem, points);
+    const std::vector<double> model =
+        forces_at(problem_for(shots_[k], model_of(k), errors), points);
     for (std::size_t i = 0; i < model.size(); ++i)
       residuals.push_back((errors.gain * model[i] + errors.baseline - reference[i]) / sigma);
   }
   return residuals;
+}
+
+VariedResiduals ForceDeflectionResiduals::varied(const ModelOfShot& model_of,
+                                                 const ErrorsOfShot& errors_of,
+                                                 const UnknownsOfShot& unknowns_of) const {
+  VariedResiduals all;
+  for (std::size_t k = 0; k < shots_.size(); ++k) {
+    const auto& [shot, points, reference, sigma] = shots_[k];
+    const RecordErrors errors = errors_of ? errors_of(k) : RecordErrors{};
+    const ShotUnknowns unknowns = unknowns_of(k);
+    const auto by = directions_of(unknowns);
+    const VariedForces model =
+        varied_forces_at(problem_for(shots_[k], model_of(k), errors), points, by);
+    all.residuals.reserve(all.residuals.size() + model.force.size());
+    all.slopes.reserve(all.slopes.size() + model.force.size() * unknowns.count);
+    for (std::size_t i = 0; i < model.force.size(); ++i) {
+      all.residuals.push_back((errors.gain * model.force[i] + errors.baseline - reference[i]) /
+                              sigma);
+      add_row(unknowns,
+              {.force = model.force[i], .slopes = {&model.slopes[i * by.size()], by.size()},
+               .speed = shot->impact.speed, .sigma = sigma},
+              errors, all.slopes);
+    }
+  }
+  return all;
 }
 
 }  // namespace rebound

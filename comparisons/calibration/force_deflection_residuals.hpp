@@ -22,6 +22,10 @@ class ForceDeflectionResiduals {
   /// known when every shot states its force uncertainty.
   NoiseKnowledge noise() const { return noise_; }
 
+  /// The same with their derivatives; for laws without mechanisms.
+  VariedResiduals varied(const ModelOfShot& model_of, const ErrorsOfShot& errors_of,
+                         const UnknownsOfShot& unknowns_of) const;
+
  private:
   struct Prepared {
     const ReferenceShot* shot;
@@ -29,6 +33,9 @@ class ForceDeflectionResiduals {
     std::vector<double> force;  ///< of the reference, at the points [N]
     double sigma;
   };
+  LumpedProblem problem_for(const Prepared& prepared, const LumpedModel& model,
+                            const RecordErrors& errors) const;
+
   std::vector<Prepared> shots_;
   NoiseKnowledge noise_;
 };

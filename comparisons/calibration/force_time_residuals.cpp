@@ -1,21 +1,16 @@
 #include "comparisons/calibration/force_time_residuals.hpp"
 
 #include "comparisons/calibration/reference_checks.hpp"
-#include "lumped/integration/simulate.hpp"
+#include "comparisons/calibration/residual_slopes.hpp"
+#include "lumped/integration/force_time.hpp"
 
 namespace rebound {
 
 namespace {
 
-constexpr int samples = 1001;
-
-double force_at(const Trace& trace, double time) {
-  const double duration = trace.time.back();
-  if (!(time >= 0.0) || time > duration) return 0.0;
-  const double at = time / duration * static_cast<double>(samples - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(samples - 2));
-  const double share = at - static_cast<double>(low);
-  return trace.force[low] + share * (trace.force[low + 1] - trace.force[low]);
+std::vector<double> shifted(std::vector<double> time, double trigger) {
+  for (double& t : time) t -= trigger;
+  return time;
 }
 
 }  // namespace
@@ -29,23 +24,50 @@ ForceTimeResiduals::ForceTimeResiduals(const std::vector<ReferenceShot>& shots,
   }
 }
 
+LumpedProblem ForceTimeResiduals::problem_for(std::size_t shot, const LumpedModel& model,
+                                              const RecordErrors& errors) const {
+  LumpedProblem problem{.sphere = shots_[shot].sphere, .impact = shots_[shot].impact,
+                        .model = model, .controls = {.relative_tolerance = fit_tolerance}};
+  problem.impact.speed *= errors.speed_factor;
+  return problem;
+}
+
 std::vector<double> ForceTimeResiduals::operator()(const ModelOfShot& model_of,
                                                    const ErrorsOfShot& errors_of) const {
   std::vector<double> residuals;
   for (std::size_t k = 0; k < shots_.size(); ++k) {
-    const ReferenceShot& shot = shots_[k];
     const RecordErrors errors = errors_of(k);
-    LumpedProblem problem{.sphere = shot.sphere, .impact = shot.impact, .model = model_of(k),
-                          .controls = {.samples = samples}};
-    problem.impact.speed *= errors.speed_factor;
-    const LumpedResult run = simulate_fast(problem);
-    for (std::size_t i = 0; i < shot.trace.time.size(); ++i) {
-      const double model =
-          errors.gain * force_at(run.trace, shot.trace.time[i] - errors.trigger) + errors.baseline;
-      residuals.push_back((model - shot.trace.force[i]) / sigma_[k]);
-    }
+    const TimedForces model = forces_at_instants(problem_for(k, model_of(k), errors),
+                                                 shifted(shots_[k].trace.time, errors.trigger));
+    for (std::size_t i = 0; i < model.force.size(); ++i)
+      residuals.push_back(
+          (errors.gain * model.force[i] + errors.baseline - shots_[k].trace.force[i]) / sigma_[k]);
   }
   return residuals;
+}
+
+VariedResiduals ForceTimeResiduals::varied(const ModelOfShot& model_of,
+                                           const ErrorsOfShot& errors_of,
+                                           const UnknownsOfShot& unknowns_of) const {
+  VariedResiduals all;
+  for (std::size_t k = 0; k < shots_.size(); ++k) {
+    const RecordErrors errors = errors_of(k);
+    const ShotUnknowns unknowns = unknowns_of(k);
+    const auto by = directions_of(unknowns);
+    const TimedForces model = forces_at_instants(problem_for(k, model_of(k), errors),
+                                                 shifted(shots_[k].trace.time, errors.trigger), by);
+    all.residuals.reserve(all.residuals.size() + model.force.size());
+    all.slopes.reserve(all.slopes.size() + model.force.size() * unknowns.count);
+    for (std::size_t i = 0; i < model.force.size(); ++i) {
+      all.residuals.push_back(
+          (errors.gain * model.force[i] + errors.baseline - shots_[k].trace.force[i]) / sigma_[k]);
+      add_row(unknowns,
+              {.force = model.force[i], .slopes = {&model.slopes[i * by.size()], by.size()},
+               .rate = model.rate[i], .speed = shots_[k].impact.speed, .sigma = sigma_[k]},
+              errors, all.slopes);
+    }
+  }
+  return all;
 }
 
 }  // namespace rebound

@@ -8,9 +8,6 @@ namespace rebound {
 
 /// Residuals of the force over time, [g F(t − t₀) + b − F_ref(t)]/σ at every
 /// sample of the reference; F is zero before and after the contact.
-///
-/// The law's trace is sampled at 1001 instants and taken linearly between
-/// them: 1e-6 of the peak force.
 class ForceTimeResiduals {
  public:
   /// Errors: Error(bad_input) as check_reference().
@@ -19,7 +16,14 @@ class ForceTimeResiduals {
   std::vector<double> operator()(const ModelOfShot& model_of, const ErrorsOfShot& errors_of) const;
   NoiseKnowledge noise() const { return noise_; }
 
+  /// The same with their derivatives; for laws without mechanisms.
+  VariedResiduals varied(const ModelOfShot& model_of, const ErrorsOfShot& errors_of,
+                         const UnknownsOfShot& unknowns_of) const;
+
  private:
+  LumpedProblem problem_for(std::size_t shot, const LumpedModel& model,
+                            const RecordErrors& errors) const;
+
   const std::vector<ReferenceShot>& shots_;
   std::vector<double> sigma_;
   NoiseKnowledge noise_;

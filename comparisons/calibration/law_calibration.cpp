@@ -6,6 +6,7 @@
 #include "comparisons/calibration/force_time_residuals.hpp"
 #include "comparisons/calibration/law_unknowns.hpp"
 #include "comparisons/calibration/reference_checks.hpp"
+#include "lumped/integration/sensitivities.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/error.hpp"
@@ -73,6 +74,18 @@ LawCalibration calibrate_hunt_crossley(const std::vector<ReferenceShot>& shots,
   problem.residuals = [&](const std::vector<double>& x) {
     return residuals([&](std::size_t i) { return model_at(x[0], i); });
   };
+  // The damping is in proportion to the stiffness, whatever the formula.
+  problem.varied = [&](const std::vector<double>& x) {
+    const auto model_of = [&](std::size_t i) { return model_at(x[0], i); };
+    return residuals.varied(model_of, {}, [&](std::size_t i) {
+      const auto values = resolve_parameters(model_of(i), shots[i].impact, shots[i].sphere);
+      ShotUnknowns unknowns{.law = {}, .nuisances = {}, .count = 1};
+      unknowns.law.add(direction_of("hunt-crossley", "stiffness"), 0);
+      unknowns.law.add(direction_of("hunt-crossley", "damping"), 0,
+                       values.at("damping") / x[0]);
+      return unknowns;
+    });
+  };
   problem.noise = residuals.noise();
   problem.controls = options.controls;
 
@@ -123,9 +136,20 @@ LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<Refe
   problem.controls = options.controls;
   const auto solve = [&](const auto& residuals) {
     problem.noise = residuals.noise();
+    const auto model_at = [&](const std::vector<double>& x) {
+      return [&](std::size_t i) { return law.model_for(x, i); };
+    };
+    const auto errors_at = [&](const std::vector<double>& x) {
+      return [&](std::size_t i) { return nuisances.errors(x, i); };
+    };
     problem.residuals = [&](const std::vector<double>& x) {
-      return residuals([&](std::size_t i) { return law.model_for(x, i); },
-                       [&](std::size_t i) { return nuisances.errors(x, i); });
+      return residuals(model_at(x), errors_at(x));
+    };
+    problem.varied = [&](const std::vector<double>& x) {
+      return residuals.varied(model_at(x), errors_at(x), [&](std::size_t i) {
+        return ShotUnknowns{.law = law.slopes_for(i), .nuisances = nuisances.places(x.size(), i),
+                            .count = x.size()};
+      });
     };
     return calibrate(problem, control);
   };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/calibration/law_unknowns.hpp"
 #include "comparisons/calibration/nuisances.hpp"
 #include "comparisons/calibration/reference_shot.hpp"
 #include "lumped/problem/lumped_problem.hpp"
@@ -47,6 +48,19 @@ struct LawCalibration {
 /// The law for a shot, and what its record may have got wrong, by its index.
 using ModelOfShot = std::function<LumpedModel(std::size_t)>;
 using ErrorsOfShot = std::function<RecordErrors(std::size_t)>;
+
+/// How one shot hangs on the unknowns.
+struct ShotUnknowns {
+  ShotSlopes law;
+  NuisancePlaces nuisances;
+  std::size_t count = 0;  ///< of all unknowns
+};
+using UnknownsOfShot = std::function<ShotUnknowns(std::size_t)>;
+
+/// Local error of the law's integration within a fit. Residuals are then good to a few times
+/// 1e-8 of the peak force, far below what data or a law's misfit resolve, and exact slopes
+/// need no differences between them.
+inline constexpr double fit_tolerance = 1e-8;
 
 /// One stiffness κ over all shots; the damping of each shot follows from its
 /// restitution by the formula, λ = p(e) κ/v₀, as the sliotar paper did with

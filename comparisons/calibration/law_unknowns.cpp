@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/config/units.hpp"
+#include "lumped/integration/sensitivities.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -135,6 +136,14 @@ LumpedModel LawUnknowns::model_for(const std::vector<double>& x, std::size_t sho
     if (unknowns_[i].speed < 0 || unknowns_[i].speed == speed_of_shot_[shot])
       model.parameters[unknowns_[i].name] = x[i];
   return model;
+}
+
+ShotSlopes LawUnknowns::slopes_for(std::size_t shot) const {
+  ShotSlopes slopes;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i)
+    if (unknowns_[i].speed < 0 || unknowns_[i].speed == speed_of_shot_[shot])
+      slopes.add(direction_of(law_, unknowns_[i].name), i);
+  return slopes;
 }
 
 }  // namespace rebound

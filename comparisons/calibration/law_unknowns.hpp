@@ -5,6 +5,7 @@
 
 #include "comparisons/calibration/calibration_problem.hpp"
 #include "comparisons/calibration/reference_shot.hpp"
+#include "lumped/integration/direction.hpp"
 #include "lumped/laws/law_card.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -22,6 +23,20 @@ CalibrationParameter law_unknown(const ParameterCard& card, const ParameterValue
 
 /// The shot with the highest approach speed.
 const ReferenceShot& fastest(const std::vector<ReferenceShot>& shots);
+
+/// How the residuals of one shot hang on the unknowns of the law: unknown `column` moves the
+/// law in direction `by` by `weight` times its own change.
+struct ShotSlopes {
+  std::vector<Direction> by;
+  std::vector<std::size_t> column;
+  std::vector<double> weight;
+
+  void add(Direction direction, std::size_t unknown, double times = 1.0) {
+    by.push_back(direction);
+    column.push_back(unknown);
+    weight.push_back(times);
+  }
+};
 
 /// Which parameters of a law are searched for, and how a vector of them makes
 /// a model: shared ones have one value, per-speed ones one at each approach
@@ -44,6 +59,8 @@ class LawUnknowns {
   LumpedModel model(const std::vector<double>& x) const;
   /// The model as it is for one shot, without at_speed entries.
   LumpedModel model_for(const std::vector<double>& x, std::size_t shot) const;
+  /// Which unknowns that model has, and what of the law each is.
+  ShotSlopes slopes_for(std::size_t shot) const;
 
  private:
   struct Unknown {

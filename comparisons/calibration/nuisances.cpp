@@ -30,18 +30,28 @@ NuisanceUnknowns::NuisanceUnknowns(const Nuisances& nuisances, std::size_t shots
   each("speed factor", "", {1.0, nuisances.speed});
 }
 
-RecordErrors NuisanceUnknowns::errors(const std::vector<double>& x, std::size_t shot) const {
-  std::size_t at = x.size() - parameters_.size();
-  RecordErrors errors;
-  if (nuisances_.gain > 0.0) errors.gain = x[at++];
-  const auto each = [&](double deviation, double& value) {
+NuisancePlaces NuisanceUnknowns::places(std::size_t unknowns, std::size_t shot) const {
+  std::size_t at = unknowns - parameters_.size();
+  NuisancePlaces places;
+  if (nuisances_.gain > 0.0) places.gain = at++;
+  const auto each = [&](double deviation, std::optional<std::size_t>& place) {
     if (!(deviation > 0.0)) return;
-    value = x[at + shot];
+    place = at + shot;
     at += shots_;
   };
-  each(nuisances_.trigger, errors.trigger);
-  each(nuisances_.baseline, errors.baseline);
-  each(nuisances_.speed, errors.speed_factor);
+  each(nuisances_.trigger, places.trigger);
+  each(nuisances_.baseline, places.baseline);
+  each(nuisances_.speed, places.speed_factor);
+  return places;
+}
+
+RecordErrors NuisanceUnknowns::errors(const std::vector<double>& x, std::size_t shot) const {
+  const NuisancePlaces at = places(x.size(), shot);
+  RecordErrors errors;
+  if (at.gain) errors.gain = x[*at.gain];
+  if (at.trigger) errors.trigger = x[*at.trigger];
+  if (at.baseline) errors.baseline = x[*at.baseline];
+  if (at.speed_factor) errors.speed_factor = x[*at.speed_factor];
   return errors;
 }
 

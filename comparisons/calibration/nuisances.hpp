@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
@@ -27,6 +29,11 @@ struct RecordErrors {
   double speed_factor = 1.0;
 };
 
+/// Which unknowns the record errors of one shot are; absent where held.
+struct NuisancePlaces {
+  std::optional<std::size_t> gain, trigger, baseline, speed_factor;
+};
+
 /// Nuisances as unknowns with priors, behind those of the law.
 class NuisanceUnknowns {
  public:
@@ -35,6 +42,8 @@ class NuisanceUnknowns {
   const std::vector<CalibrationParameter>& parameters() const { return parameters_; }
   /// `x` is the whole vector of unknowns, whose last ones are these.
   RecordErrors errors(const std::vector<double>& x, std::size_t shot) const;
+  /// Among `unknowns` unknowns, whose last ones are these.
+  NuisancePlaces places(std::size_t unknowns, std::size_t shot) const;
 
  private:
   Nuisances nuisances_;

@@ -23,6 +23,8 @@ class Held {
     inner_ = problem;
     inner_.parameters.erase(inner_.parameters.begin() + static_cast<std::ptrdiff_t>(held));
     inner_.residuals = [this](const std::vector<double>& x) { return whole_.residuals(with(x)); };
+    if (!whole_.varied) return;
+    inner_.varied = [this](const std::vector<double>& x) { return without_held(whole_.varied(with(x))); };
   }
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
@@ -34,7 +36,7 @@ class Held {
     try {
       const std::vector<double> r = inner_.residuals(rest_);
       if (rest_.empty()) return half_square(r);
-      DifferencedCost cost(inner_, static_cast<int>(r.size()));
+      CalibrationCost cost(inner_, static_cast<int>(r.size()));
       std::vector<double> y = rest_;
       for (std::size_t i = 0; i < y.size(); ++i) y[i] /= inner_.parameters[i].scale;
       const Attempt found = search_from(std::move(y), inner_, cost, control);
@@ -54,6 +56,14 @@ class Held {
     double sum = 0.0;
     for (double one : r) sum += 0.5 * one * one;
     return sum;
+  }
+  VariedResiduals without_held(VariedResiduals all) const {
+    const std::size_t unknowns = whole_.parameters.size();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < all.slopes.size(); ++i)
+      if (i % unknowns != held_) all.slopes[kept++] = all.slopes[i];
+    all.slopes.resize(kept);
+    return all;
   }
   std::vector<double> with(const std::vector<double>& x) const {
     std::vector<double> all = x;

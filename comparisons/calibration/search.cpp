@@ -28,7 +28,7 @@ class Watch final : public ceres::IterationCallback {
 }  // namespace
 
 Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
-                    DifferencedCost& cost, const RunControl& control) {
+                    CalibrationCost& cost, const RunControl& control) {
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
-#include "comparisons/calibration/differenced_cost.hpp"
+#include "comparisons/calibration/calibration_cost.hpp"
 
 namespace rebound {
 
@@ -18,6 +18,6 @@ struct Attempt {
 /// One Levenberg–Marquardt search from y, within the bounds. An error of the
 /// residual function other than "no answer here" is thrown on.
 Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
-                    DifferencedCost& cost, const RunControl& control);
+                    CalibrationCost& cost, const RunControl& control);
 
 }  // namespace rebound

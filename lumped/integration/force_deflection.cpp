@@ -5,75 +5,158 @@
 
 #include "lumped/integration/checked_setup.hpp"
 #include "lumped/integration/composed_force_deflection.hpp"
-#include "lumped/integration/fast_integrator.hpp"
+#include "lumped/integration/varied_step.hpp"
 #include "lumped/laws/make_law.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
 namespace {
 
-/// Inverts u(θ) = target on a monotone piece by Newton. Started from the outer
-/// end of the branch: u is concave while the force pushes, so that the
-/// iteration never jumps over the turning point.
-double solve(const Septic& root, double target, double start) {
-  double s = start;
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    const double rate = root.derivative(s);
-    if (rate == 0.0) break;
-    const double change = (target - root.value(s)) / rate;
-    s = std::clamp(s + change, 0.0, 1.0);
-    if (std::abs(change) < 1e-13) break;
-  }
-  return s;
-}
+/// A stretch of points that lie on one step and one branch.
+struct Stretch {
+  std::size_t from, to;
+  std::size_t step;
+  Branch branch;
+};
 
-template <ContactLaw Law>
+/// Force over deflection from the steps of one impact, with its derivatives.
+template <ContactLaw Law, std::size_t Width>
 class ForceDeflection {
  public:
-  ForceDeflection(const Law& law, std::span<const Knot> knots) : law_(law), knots_(knots) {
-    while (knots_[turn_ + 1].v > 0.0) ++turn_;
-    const Septic root = piece(turn_);
+  using Point = VariedForce<Width>;
+
+  ForceDeflection(const Law& law, const ContactSetup& setup,
+                  const std::array<Direction, Width>& by)
+      : setup_(setup), run_(law, setup, by) {
+    run_.integrate();
+    const auto knots = run_.knots();
+    steps_.reserve(knots.size());
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k) steps_.emplace_back(law, run_, k, by);
+    while (knots[turn_ + 1].v > 0.0) ++turn_;
+    const Septic& root = steps_[turn_].root();
     double low = 0.0, high = 1.0;  // bisection for v = 0: robust, and done once
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 54; ++i) {
       const double middle = 0.5 * (low + high);
       (root.derivative(middle) > 0.0 ? low : high) = middle;
     }
+    turning_fraction_ = low;
     turning_ = root.value(low);
   }
 
-  double force(double deflection, Branch branch) const {
-    const double u = std::sqrt(std::max(0.0, deflection));
-    if (u >= turning_) return law_.force(turning_ * turning_, 0.0);
-    const bool loading = branch == Branch::loading;
-    const Knot& outer = loading ? knots_.front() : knots_.back();
-    if (u <= outer.u) return law_.force(outer.u * outer.u, outer.v);
-    const std::size_t k = loading ? loading_piece(u) : unloading_piece(u);
-    const Septic root = piece(k);
-    const double s = solve(root, u, loading ? 0.0 : 1.0);
-    return law_.force(u * u, root.derivative(s) / knots_[k].step);
+  /// `slopes` has one row a point of `count` columns; empty for Width = 0.
+  void fill(const DeflectionPoints& points, std::size_t count, std::span<double> force,
+            std::span<double> slopes) const {
+    const std::size_t size = points.deflection.size();
+    std::vector<double> root(size), fraction(size);
+    for (std::size_t i = 0; i < size; ++i)
+      root[i] = std::sqrt(std::max(0.0, points.deflection[i]));
+    const auto put = [&](std::size_t i, const Point& point, const auto& slope_of) {
+      force[i] = point.force.force;
+      for (std::size_t j = 0; j < count; ++j) slopes[i * count + j] = slope_of(point, j);
+    };
+    for (std::size_t i = 0; i < size;) {
+      if (!within(root[i], points.branch[i])) {
+        const bool top = root[i] >= turning_;
+        put(i, outside(root[i], points.branch[i]), [&](const Point& p, std::size_t j) {
+          return top ? p.at_fixed_tau(j) - p.force.by_speed * p.dv[j] : at_open_end(p, j);
+        });
+        ++i;
+        continue;
+      }
+      const Stretch stretch = stretch_from(i, root, points.branch);
+      invert(stretch, root, fraction);
+      for (; i < stretch.to; ++i)
+        put(i, steps_[stretch.step].at(fraction[i]), [&](const Point& p, std::size_t j) {
+          return p.at_fixed_deflection(j, setup_.mass);
+        });
+    }
   }
 
  private:
-  Septic piece(std::size_t k) const {
-    return {knots_[k].root(), knots_[k + 1].root(), knots_[k].step};
+  const Knot& open_end(Branch branch) const {
+    return branch == Branch::loading ? run_.knots().front() : run_.knots().back();
   }
-  std::size_t loading_piece(double u) const {
-    const auto first = knots_.begin(), last = first + static_cast<std::ptrdiff_t>(turn_) + 1;
-    const auto above =
-        std::upper_bound(first, last, u, [](double value, const Knot& k) { return value < k.u; });
-    return static_cast<std::size_t>(above - first) - 1;
+  bool within(double u, Branch branch) const { return u < turning_ && u > open_end(branch).u; }
+  Point outside(double u, Branch branch) const {
+    if (u >= turning_) return steps_[turn_].at(turning_fraction_);
+    return branch == Branch::loading ? steps_.front().at(0.0) : steps_.back().at(1.0);
   }
-  std::size_t unloading_piece(double u) const {
-    const auto first = knots_.begin() + static_cast<std::ptrdiff_t>(turn_) + 1;
-    const auto below = std::lower_bound(first, knots_.end(), u,
-                                        [](const Knot& k, double value) { return k.u > value; });
-    return static_cast<std::size_t>(below - knots_.begin()) - 1;
+  /// Where the force is zero it stays so; at x = 0 only the speed there moves.
+  double at_open_end(const Point& point, std::size_t direction) const {
+    const bool at_zero_force = point.v < 0.0 && !run_.ended_at_zero_deflection();
+    return at_zero_force ? 0.0
+                         : point.force.by_speed * point.dv[direction] + point.by[direction];
   }
 
-  const Law& law_;
-  std::span<const Knot> knots_;
-  std::size_t turn_ = 0;  ///< the step that contains the turning point
-  double turning_ = 0.0;  ///< √x there
+  std::size_t step_of(double u, Branch branch) const {
+    const auto knots = run_.knots();
+    if (branch == Branch::loading) {
+      std::size_t k = 0;
+      while (k < turn_ && knots[k + 1].u <= u) ++k;
+      return k;
+    }
+    std::size_t k = knots.size() - 2;
+    while (k > turn_ && knots[k].u <= u) --k;
+    return k;
+  }
+  bool on_step(double u, const Stretch& stretch) const {
+    const double left = run_.knots()[stretch.step].u, right = run_.knots()[stretch.step + 1].u;
+    if (stretch.step == turn_)
+      return u < turning_ && u > (stretch.branch == Branch::loading ? left : right);
+    return u > std::min(left, right) && u <= std::max(left, right);
+  }
+  Stretch stretch_from(std::size_t i, const std::vector<double>& root,
+                       const std::vector<Branch>& branch) const {
+    Stretch stretch{i, i + 1, step_of(root[i], branch[i]), branch[i]};
+    while (stretch.to < root.size() && branch[stretch.to] == stretch.branch &&
+           on_step(root[stretch.to], stretch))
+      ++stretch.to;
+    return stretch;
+  }
+
+  /// Where u(θ) = √x on one step: from the parabola that shares its ends and the slope of one
+  /// of them, three Newton steps reach rounding.
+  void invert(const Stretch& stretch, const std::vector<double>& root,
+              std::vector<double>& fraction) const {
+    const Septic path = steps_[stretch.step].root();
+    const Knot &left = run_.knots()[stretch.step], &right = run_.knots()[stretch.step + 1];
+    const double* const u = root.data();
+    double* const s = fraction.data();
+    if (stretch.step == turn_) {
+      const bool loading = stretch.branch == Branch::loading;
+      const double top = turning_, at = turning_fraction_;
+      const double reach = loading ? -at : 1.0 - at;
+      const double fall = 1.0 / (top - (loading ? left.u : right.u));
+      for (std::size_t i = stretch.from; i < stretch.to; ++i)
+        s[i] = at + reach * std::sqrt(std::abs(top - u[i]) * fall);
+    } else {
+      // From the end that is farther from the turning point, where the slope is larger.
+      const bool forward = stretch.branch == Branch::loading;
+      const double from = forward ? left.u : right.u, to = forward ? right.u : left.u;
+      const double slope = left.step * std::abs(forward ? left.v : right.v);
+      const double bend = to - from - slope;
+      for (std::size_t i = stretch.from; i < stretch.to; ++i) {
+        const double rise = u[i] - from;
+        const double along =
+            2.0 * rise / (slope + std::sqrt(std::abs(slope * slope + 4.0 * bend * rise)));
+        s[i] = forward ? along : 1.0 - along;
+      }
+    }
+    for (int iteration = 0; iteration < 3; ++iteration)
+      for (std::size_t i = stretch.from; i < stretch.to; ++i) {
+        const double rate = path.derivative(s[i]);
+        const double change = (u[i] - path.value(s[i])) / (rate == 0.0 ? 1.0 : rate);
+        s[i] = std::min(1.0, std::max(0.0, s[i] + change));
+      }
+  }
+
+  ContactSetup setup_;
+  FastIntegrator<Law, Width> run_;
+  std::vector<VariedStep<Law, Width>> steps_;
+  std::size_t turn_ = 0;          ///< the step that contains the turning point
+  double turning_fraction_ = 0.0;
+  double turning_ = 0.0;          ///< √x there
 };
 
 }  // namespace
@@ -93,11 +176,25 @@ std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoin
   std::vector<double> forces(points.deflection.size());
   std::visit(
       [&]<class Law>(const Law& law) {
-        FastIntegrator<Law> integrator(law, setup);
-        integrator.integrate();
-        const ForceDeflection<Law> curve(law, integrator.knots());
-        for (std::size_t i = 0; i < forces.size(); ++i)
-          forces[i] = curve.force(points.deflection[i], points.branch[i]);
+        ForceDeflection<Law, 0>(law, setup, {}).fill(points, 0, forces, {});
+      },
+      make_law(problem.model, problem.impact, problem.sphere));
+  return forces;
+}
+
+VariedForces varied_forces_at(const LumpedProblem& problem, const DeflectionPoints& points,
+                              std::span<const Direction> by) {
+  if (problem.model.mechanisms.act())
+    throw Error(ExitCode::bad_input, "slopes of a force are those of a law without mechanisms");
+  const ContactSetup setup = checked_setup(problem);
+  VariedForces forces{std::vector<double>(points.deflection.size()),
+                      std::vector<double>(points.deflection.size() * by.size())};
+  std::visit(
+      [&]<class Law>(const Law& law) {
+        with_width(by, [&]<std::size_t Width>(const std::array<Direction, Width>& filled) {
+          ForceDeflection<Law, Width>(law, setup, filled)
+              .fill(points, by.size(), forces.force, forces.slopes);
+        });
       },
       make_law(problem.model, problem.impact, problem.sphere));
   return forces;

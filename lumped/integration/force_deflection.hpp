@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "lumped/integration/direction.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 #include "lumped/problem/trace.hpp"
 
@@ -34,5 +36,24 @@ DeflectionPoints deflection_points(const Trace& trace);
 /// Caution: dF/dx is infinite at the turning point of a damped law.
 /// Errors:  as simulate_fast().
 std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoints& points);
+
+/// Forces with their derivatives by a few parameters.
+struct VariedForces {
+  std::vector<double> force;   ///< [N]
+  std::vector<double> slopes;  ///< one row a point, one column a direction
+};
+
+/// The same for a law alone, with the slopes of the force at fixed deflection,
+///
+///   dF/dp = F_p + F_v (δv − v̇/ẋ δx),
+///
+/// by the variational equations of FastIntegrator.
+///
+/// Limit:   central differences of forces_at()
+///          -> test ForceDeflectionTest.SlopesAreThoseOfTheForces.
+/// Caution: infinite at the turning point of a damped law.
+/// Errors:  as simulate_fast(); Error(bad_input) for mechanisms beside the law.
+VariedForces varied_forces_at(const LumpedProblem& problem, const DeflectionPoints& points,
+                              std::span<const Direction> by);
 
 }  // namespace rebound

@@ -46,7 +46,7 @@ class Reading {
     for (int i = 0; i < samples; ++i) {
       const double instant = result_.outcome.contact_time * i / (samples - 1);
       while (k + 1 < steps_.size() && run_.knots()[k + 1].t <= instant) ++k;
-      const VariedForce<Width> point = steps_[k].at(fraction_at(k, instant));
+      const VariedForce<Width> point = steps_[k].at(fraction_at(run_.knots()[k], run_.knots()[k + 1], instant));
       result_.time.push_back(instant);
       result_.force.push_back(point.force.force);
       for (std::size_t j = 0; j < count; ++j)
@@ -56,15 +56,6 @@ class Reading {
   }
 
  private:
-  /// Where within step k an instant lies; t(τ) is monotone.
-  double fraction_at(std::size_t k, double instant) const {
-    const Knot &left = run_.knots()[k], &right = run_.knots()[k + 1];
-    if (instant <= left.t) return 0.0;
-    if (instant >= right.t) return 1.0;
-    const Septic clock(left.clock(), right.clock(), left.step);
-    return sign_change([&](double s) { return clock.value(s) - instant; }, 0.0, 1.0);
-  }
-
   void read_end(const std::array<Direction, Width>& by) {
     const ContactEnd& end = run_.end();
     const VariedForce<Width> point = steps_.back().at(1.0);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "lumped/integration/fast_integrator.hpp"
@@ -38,6 +40,23 @@ struct VariedForce {
     return force.by_speed * (dv[i] - acceleration / v * du[i]) + by[i];
   }
 };
+
+/// Where within a step an instant lies: Newton on t(τ), whose slope is 2u.
+inline double fraction_at(const Knot& left, const Knot& right, double instant) {
+  const Septic clock(left.clock(), right.clock(), left.step);
+  const double share = std::clamp((instant - left.t) / (right.t - left.t), 0.0, 1.0);
+  // Time runs as a parabola where u passes zero: the square root starts
+  // Newton on the side from which it converges.
+  double s = left.u < right.u ? std::sqrt(share) : 1.0 - std::sqrt(1.0 - share);
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const double rate = clock.derivative(s);
+    if (!(rate > 0.0)) break;  // at rest in τ: s is the end itself
+    const double change = (instant - clock.value(s)) / rate;
+    s = std::clamp(s + change, 0.0, 1.0);
+    if (std::abs(change) < 1e-12) break;
+  }
+  return s;
+}
 
 /// Motion and its derivatives within one step of the fast integrator: u from its own
 /// polynomial, δu and δv as slope and curvature of the one of δt.

@@ -2,8 +2,9 @@
 
 Hunt-Crossley, core A at 15 m/s, 200 samples, force over deflection without the
 last 1 % of deflection, the same start; least_squares(method="lm") over
-solve_ivp(method="LSODA", rtol=1e-8). Not part of the tests; needs python3-scipy.
-On two loaded cores: 0.27 to 0.45 s here, 2.1 ms of processor in bench_calibration.
+solve_ivp(method="LSODA", rtol=1e-8). Not part of the tests; needs python3-scipy
+(Debian's, so /usr/bin/python3). Processor seconds, to be divided by the CPU column of
+bench_calibration --benchmark_filter=two_parameters in the same run.
 
     build/rebound lumped impact.toml --out reference     # samples = 200
     python3 compare_scipy.py reference/trace.csv
@@ -55,9 +56,9 @@ def main():
     def residuals(scaled):
         return force_at(scaled * start, deflection, loading) - force
 
-    begun = time.perf_counter()
+    begun = time.process_time()
     found = least_squares(residuals, [1.0, 1.0], method="lm", diff_step=1e-4)
-    print(f"{time.perf_counter() - begun:.4f} s, {found.nfev} evaluations, {found.x * start}")
+    print(f"{time.process_time() - begun:.4f} s of processor, {found.nfev} evaluations, {found.x * start}")
 
 
 main()

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "lumped/integration/closed_forms.hpp"
+#include "lumped/integration/sensitivities.hpp"
+#include "lumped/integration/sensitivity_names.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 #include "tests/support/lumped_cases.hpp"
@@ -43,6 +45,56 @@ TEST(ForceDeflectionTest, GivesBackTheTrace) {
                     (tip ? 3e-3 : 2e-7) * run.scalars.peak_force)
             << card.name << " sample " << i;
       }
+    }
+}
+
+TEST(ForceDeflectionTest, SlopesAreThoseOfTheForces) {
+  for (const auto& card : all_laws())
+    for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection}) {
+      LumpedProblem problem = test::typical_problem(card.name);
+      problem.impact.separation = rule;
+      problem.controls.relative_tolerance = 1e-11;
+      // Away from a corner of the table of coefficients.
+      if (problem.model.parameters.contains("poisson_ratio"))
+        problem.model.parameters["poisson_ratio"] = 0.37;
+      const LumpedResult run = simulate_fast(problem);
+      DeflectionPoints points;
+      // Not the tip, where the curve is vertical, nor beyond an end that moves.
+      const double least = 1.1 * run.trace.deflection.back() + 1e-5;
+      for (const auto branch : {Branch::loading, Branch::unloading})
+        for (double share : {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97})
+          if (share * run.scalars.peak_deflection > least) {
+            points.deflection.push_back(share * run.scalars.peak_deflection);
+            points.branch.push_back(branch);
+          }
+      const auto by = all_directions(card.name);
+      const VariedForces found = varied_forces_at(problem, points, by);
+      const auto plain = forces_at(problem, points);
+      const auto names = names_of_directions(card.name);
+      for (std::size_t j = 0; j < by.size(); ++j) {
+        const auto forces_with = [&](double factor) {
+          LumpedProblem changed = problem;
+          double& value = names[j] == "mass"    ? changed.sphere.mass
+                          : names[j] == "speed" ? changed.impact.speed
+                                                : changed.model.parameters.at(names[j]);
+          value *= factor;
+          return forces_at(changed, points);
+        };
+        const double value = names[j] == "mass"    ? problem.sphere.mass
+                             : names[j] == "speed" ? problem.impact.speed
+                                                   : problem.model.parameters.at(names[j]);
+        const double h = 1e-4;
+        const auto a = forces_with(1 + h), b = forces_with(1 - h), c = forces_with(1 + 2 * h),
+                   d = forces_with(1 - 2 * h);
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+          const double expected = (8.0 * (a[i] - b[i]) - (c[i] - d[i])) / (12.0 * h);
+          EXPECT_NEAR(found.slopes[i * by.size() + j] * value, expected,
+                      1e-6 * run.scalars.peak_force)
+              << card.name << " by " << names[j] << " at point " << i;
+        }
+      }
+      for (std::size_t i = 0; i < plain.size(); ++i)
+        EXPECT_NEAR(found.force[i], plain[i], 1e-9 * run.scalars.peak_force);
     }
 }
 
