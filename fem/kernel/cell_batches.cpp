@@ -49,9 +49,9 @@ std::vector<int> deal_cells(const Discretisation& body, int width) {
 
 CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants& material,
                          int width)
-    : width_(width) {
+    : width_(width),
+      cell_frequency_squared_(cell_frequencies(body, material.instantaneous)) {
   const std::vector<int> order = deal_cells(body, width);
-  const std::vector<double> frequencies = cell_frequencies(body, material.instantaneous);
   const int unused_node = body.node_count();
   nodes_.assign(order.size() * nodes_per_cell, unused_node);
   // Padding lanes: zero gradients and weight leave F = 1 and no force.
@@ -63,7 +63,7 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
     const CellGeometry& cell = body.cells[order[slot]];
     const std::size_t batch = slot / width;
     const std::size_t lane = slot % width;
-    rest_frequency_squared_[slot] = frequencies[order[slot]];
+    rest_frequency_squared_[slot] = cell_frequency_squared_[order[slot]];
     for (int i = 0; i < nodes_per_cell; ++i)
       nodes_[(batch * nodes_per_cell + i) * width + lane] = cell.nodes[i];
     for (int q = 0; q < points_per_cell; ++q) {

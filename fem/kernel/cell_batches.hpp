@@ -17,11 +17,14 @@ class CellBatches {
   CellBatches& operator=(const CellBatches&) = delete;
 
   const CellArrays& arrays() const { return arrays_; }
+  /// ω² of every cell at rest, in the body's order [1/s²].
+  const std::vector<double>& cell_frequency_squared() const { return cell_frequency_squared_; }
   /// Zeroed carried tensors of all branches.
   std::vector<double> make_history() const;
 
  private:
   int width_;
+  std::vector<double> cell_frequency_squared_;
   std::vector<int> nodes_;
   std::vector<double> geometry_;
   std::vector<double> rest_frequency_squared_;

@@ -1,8 +1,11 @@
 #include "fem/schemes/body_motion.hpp"
 
+#include <utility>
+
 namespace rebound::fem {
 
-BodyMotion::BodyMotion(const Discretisation& body, double approach) : body_(body) {
+BodyMotion::BodyMotion(const Discretisation& body, double approach, DispersionCorrection dispersion)
+    : body_(body), dispersion_(std::move(dispersion)) {
   const std::size_t size = 2 * (body.position.size() + 1);  // one unused node for padding lanes
   displacement.assign(size, 0.0);
   velocity.assign(size, 0.0);
@@ -26,7 +29,7 @@ BodyMotion::Sums BodyMotion::sums() const {
     axial += m * vz * vz;
     momentum += m * vz;
   }
-  return {.kinetic = 0.5 * (radial + axial), .momentum = momentum};
+  return {.kinetic = 0.5 * (radial + axial) - dispersion_.kinetic(velocity), .momentum = momentum};
 }
 
 double BodyMotion::half_step_work(double drift) const {
@@ -40,8 +43,9 @@ double BodyMotion::half_step_work(double drift) const {
 }
 
 void BodyMotion::kick(double span, double gravity) {
+  const std::vector<double>& moving = dispersion_.corrected(inverse_mass_, force);
   for (std::size_t i = 0; i < velocity.size(); ++i)
-    velocity[i] -= span * force[i] * inverse_mass_[i];
+    velocity[i] -= span * moving[i] * inverse_mass_[i];
   if (gravity == 0.0) return;
   for (int node = 0; node < body_.node_count(); ++node) velocity[2 * node + 1] -= span * gravity;
 }

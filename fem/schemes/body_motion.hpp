@@ -3,15 +3,17 @@
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
+#include "fem/schemes/dispersion_correction.hpp"
 
 namespace rebound::fem {
 
 /// Displacement, velocity and internal force of every node, [node][2] (r, z),
-/// with the sums over them that energy and momentum need.
+/// with the sums over them that energy and momentum need. Mass is lumped, with
+/// a DispersionCorrection.
 class BodyMotion {
  public:
   /// All nodes at `approach` towards the plate [m/s]; nodes of the axis stay on it.
-  BodyMotion(const Discretisation& body, double approach);
+  BodyMotion(const Discretisation& body, double approach, DispersionCorrection dispersion);
 
   struct Sums {
     double kinetic = 0.0;   ///< [J]
@@ -35,6 +37,7 @@ class BodyMotion {
  private:
   const Discretisation& body_;
   std::vector<double> inverse_mass_;
+  DispersionCorrection dispersion_;
   double total_mass_ = 0.0;
 };
 

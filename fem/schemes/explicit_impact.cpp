@@ -66,10 +66,15 @@ class ExplicitImpact {
   double worst_energy_error_ = 0.0;
 };
 
+/// `safety` times the largest stable step at this ω².
+double allowed_step(double frequency_squared, double safety) {
+  return safety * DispersionCorrection::step_factor(safety) * 2.0 / std::sqrt(frequency_squared);
+}
+
 /// First step: what the cells at rest allow. Called before any deformation.
-double step_at_rest(const CellArrays& cells, int width, double safety) {
-  const double* frequencies = cells.rest_frequency_squared;
-  return safety * 2.0 / std::sqrt(*std::max_element(frequencies, frequencies + cells.batches * width));
+double step_at_rest(const CellBatches& cells, double safety) {
+  const std::vector<double>& frequencies = cells.cell_frequency_squared();
+  return allowed_step(*std::max_element(frequencies.begin(), frequencies.end()), safety);
 }
 
 std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const Plate& plate) {
@@ -85,11 +90,12 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       kernel_(choose_cell_kernel()),
       material_(viscoelastic_constants(problem.material)),
       cells_(body, material_, kernel_.width),
-      first_step_(step_at_rest(arrays_, kernel_.width, problem.controls.step_safety)),
+      first_step_(step_at_rest(cells_, problem.controls.step_safety)),
       step_before_(first_step_),
       step_(first_step_),
       smallest_step_(first_step_),
-      motion_(body, problem.impact.speed - 0.5 * first_step_ * problem.gravity),
+      motion_(body, problem.impact.speed - 0.5 * first_step_ * problem.gravity,
+              {body, cells_.cell_frequency_squared(), problem.controls.step_safety}),
       plate_(make_plate(body, problem.plate)),
       history_(cells_.make_history()),
       expected_time_(expected_contact_time(problem, material_.instantaneous)),
@@ -158,7 +164,7 @@ void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateS
 
 void ExplicitImpact::choose_next_step() {
   const double allowed =
-      problem_.controls.step_safety * 2.0 / std::sqrt(summary_.largest_frequency_squared);
+      allowed_step(summary_.largest_frequency_squared, problem_.controls.step_safety);
   step_before_ = step_;
   // Steps change rarely: the branch coefficients follow every change.
   if (allowed < step_)
