@@ -7,9 +7,12 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/modules/module_loader.hpp"
+#include "comparisons/report/write_report.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/verification/fem_rungs.hpp"
 #include "comparisons/verification/lumped_rungs.hpp"
+#include "comparisons/verification/mesh_family.hpp"
+#include "comparisons/verification/verification_report.hpp"
 #include "comparisons/verification/verification_text.hpp"
 
 namespace rebound {
@@ -19,30 +22,39 @@ void append(VerificationTable& table, VerificationTable rows) {
   for (VerificationRow& row : rows) table.push_back(std::move(row));
 }
 
-VerificationTable verify(const std::string& tier) {
+struct Verification {
   VerificationTable table;
+  std::vector<FamilyImpact> family;  ///< empty without the FE tier
+};
+
+Verification verify(const std::string& tier) {
+  Verification found;
+  VerificationTable& table = found.table;
   if (tier != "fem") {
     append(table, verify_lumped());
     append(table, verify_estimator());
   }
-  if (tier == "lumped") return table;
+  if (tier == "lumped") return found;
   if (tier == "all" && !has_fem_tier()) {
     fmt::print(stderr, "rebound: built without the FE tier; its rungs are left out\n");
-    return table;
+    return found;
   }
   ProgressLine progress("FE rungs");
   append(table, verify_fem(fem_tier(), progress.control()));
-  return table;
+  found.family = run_mesh_family(fem_tier(), progress.control());
+  append(table, rows_of(found.family));
+  return found;
 }
 
 ExitCode run_verify(const Session& session, const std::string& tier) {
   if (!session.out.empty()) make_writable_folder(session.out);
-  const VerificationTable table = verify(tier);
+  const auto [table, family] = verify(tier);
   const Json json = to_json(table);
   if (!session.out.empty()) {
     Json stored = json;
     stored["provenance"] = to_json(provenance_of(session, "", ""));
     write_file_atomically(session.out / "verify.json", dump(stored));
+    report::write_report(verification_report(table, family), session.out / "report.html");
   }
   fmt::print("{}", session.json() ? dump(json) : to_text(table));
   return all_pass(table) ? ExitCode::done : ExitCode::comparison_failed;
@@ -56,7 +68,7 @@ Action declare_verify(CLI::App& command) {
       ->check(CLI::IsMember({"lumped", "fem", "all"}))
       ->capture_default_str();
   command.footer([] {
-    return "Exit code 1 where a row fails. --out writes verify.json.\n\n" + exit_code_help();
+    return "Exit code 1 where a row fails. --out writes verify.json and report.html.\n\n" + exit_code_help();
   });
   return [tier](const Session& session) { return run_verify(session, *tier); };
 }

@@ -17,6 +17,7 @@ TEST_F(VerifyCommandTest, LumpedRungsPassAsTextAndJson) {
   EXPECT_GT(json["rows"].size(), 50u);
   const auto stored = nlohmann::json::parse(read_whole(folder.path() / "results/verify.json"));
   EXPECT_EQ(stored["rows"], json["rows"]);
+  EXPECT_TRUE(there("results/report.html"));
 }
 
 TEST_F(VerifyCommandTest, AnUnknownTierIsBadUsage) {
@@ -24,10 +25,12 @@ TEST_F(VerifyCommandTest, AnUnknownTierIsBadUsage) {
 }
 
 TEST_F(VerifyCommandTest, FemRungsPass) {
-  const Outcome outcome = rebound({"verify", "--tier", "fem", "--json"});
+  const Outcome outcome = rebound({"verify", "--tier", "fem", "--json", "--out", "results"});
   const auto json = nlohmann::json::parse(outcome.output);
   for (const auto& row : json["rows"])
     EXPECT_TRUE(row["passed"]) << row.dump();
+  EXPECT_NE(read_whole(folder.path() / "results/report.html").find("Ripple of the force"),
+            std::string::npos);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 

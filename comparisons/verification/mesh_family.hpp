@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/verification/verification_row.hpp"
+#include "lumped/problem/modules.hpp"
+
+namespace rebound {
+
+/// One impact of a family that differs in its cells alone.
+struct FamilyImpact {
+  FemResult result;
+  /// Largest deviation of the 20 µs mean of the force from that on four times
+  /// the cells, over 5 to 95 % of the contact, of its peak [-].
+  std::optional<double> ripple;
+};
+
+/// Largest |20 µs mean of `force` − 20 µs mean of `finer`| over 5 to 95 % of the
+/// contact of `finer`, over the peak of its mean [-].
+///
+/// Limit:  a trace and itself: 0; a sine of period 20 µs is averaged away
+///         -> tests MeshFamilyTest.
+/// Errors: Error(bad_input) for traces of fewer than three samples.
+double ripple_between(const FemResult& coarser, const FemResult& finer);
+
+/// The common case of the ladder at 15 m/s on about 250, 500 … 16 000 cells.
+/// Some seconds. Errors: Error(solver_failed), Error(interrupted).
+std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl& control);
+
+/// Ripple at about 4000 cells; observed orders of restitution and deflection.
+VerificationTable rows_of(const std::vector<FamilyImpact>& family);
+
+}  // namespace rebound
