@@ -145,7 +145,8 @@ LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<Refe
     problem.residuals = [&](const std::vector<double>& x) {
       return residuals(model_at(x), errors_at(x));
     };
-    problem.varied = [&](const std::vector<double>& x) {
+    // A law with a state of its own has no slopes to offer.
+    if (!has_branch(law.name())) problem.varied = [&](const std::vector<double>& x) {
       return residuals.varied(model_at(x), errors_at(x), [&](std::size_t i) {
         return ShotUnknowns{.law = law.slopes_for(i), .nuisances = nuisances.places(x.size(), i),
                             .count = x.size()};

@@ -54,6 +54,7 @@ class LawUnknowns {
   LawUnknowns(const std::string& law, const std::vector<ReferenceShot>& shots,
               const Choice& choice);
 
+  const std::string& name() const { return law_; }
   const std::vector<CalibrationParameter>& parameters() const { return parameters_; }
   /// The whole model, with at_speed entries where parameters go by speed.
   LumpedModel model(const std::vector<double>& x) const;

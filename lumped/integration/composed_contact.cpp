@@ -21,6 +21,12 @@ using State = ComposedContact::State;
 ComposedContact::ComposedContact(const LumpedProblem& problem)
     : law_(make_law(problem.model, problem.impact, problem.sphere)),
       mechanisms_(problem.model.mechanisms),
+      law_branch_(std::visit(
+          []<class Law>(const Law& law) {
+            if constexpr (law_has_branch<Law>) return law.branch();
+            return RelaxationBranch{};
+          },
+          law_)),
       plate_(mechanisms_.plate),
       setup_(checked_setup(problem)),
       radius_(problem.sphere.radius()),
@@ -39,9 +45,14 @@ ComposedContact::ComposedContact(const LumpedProblem& problem)
          .reference_force = elastic_.elastic_force(reference_deflection_share * radius_)});
 }
 
+bool ComposedContact::needed(const LumpedProblem& problem) {
+  return problem.model.mechanisms.act() || has_branch(problem.model.law);
+}
+
 State ComposedContact::state_scales() const {
   const double energy = 0.5 * setup_.mass * setup_.speed * setup_.speed;
-  State scale = {scales_.deflection, setup_.speed, setup_.mass * setup_.speed, energy, peak_force_};
+  State scale = {scales_.deflection, setup_.speed, setup_.mass * setup_.speed, energy, peak_force_,
+                 peak_force_};
   // A stiff plate hardly moves, yet its motion is what the load cell reads.
   const double k = plate_.moves() ? plate_.stiffness : 1.0;
   scale[plate_displacement] = std::min(scales_.deflection, peak_force_ / k);
@@ -78,6 +89,7 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
   f.elastic = elastic_.acting(phase, x);
   if (mechanisms_.relaxation.ratio != 0.0)
     f.branch = branch_force(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (law_branch_.ratio != 0.0) f.branch += branch_force(law_branch_, f.elastic, y[law_relaxed]);
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
       [&](const auto& law) {
@@ -103,6 +115,8 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
   rate[dissipated] = (total - f.elastic) * closing;
   if (mechanisms_.relaxation.ratio != 0.0)
     rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (law_branch_.ratio != 0.0)
+    rate[law_relaxed] = relaxed_rate(law_branch_, f.elastic, y[law_relaxed]);
   if (plate_.moves()) {
     const PlateMotion plate = plate_motion(y);
     rate[plate_displacement] = plate.velocity;

@@ -24,7 +24,7 @@ namespace rebound {
 ///   J   impulse of F [N s]                               D   energy lost, or held in the branch [J]
 ///
 /// Order of composition: the law's F_e takes its factors, then the memory of
-/// the largest approach; relaxation, finite sphere and adhesion see the result.
+/// the largest approach; relaxation (the law's own branch and a further one), finite sphere and adhesion see the result.
 /// Valid:   every law with every set of mechanisms; friction is refused.
 /// Limit:   without mechanisms the bare law -> test ComposedContactTest.NothingIsTheBareLaw.
 /// Caution: zero-force: contact ends where the force without adhesion falls to
@@ -34,11 +34,14 @@ namespace rebound {
 class ComposedContact {
  public:
   enum Index {
-    approach, velocity, impulse, dissipated, relaxed,
+    approach, velocity, impulse, dissipated, relaxed, law_relaxed,
     plate_displacement, plate_velocity, mode_displacement, mode_velocity, states
   };
   using State = std::array<double, states>;
   using Phase = ContactPhase;
+
+  /// Is a problem a composed contact, or a law alone that its own integrators take?
+  static bool needed(const LumpedProblem& problem);
 
   /// Errors: Error(bad_input) for a law (see make_law) or mechanisms that cannot be.
   explicit ComposedContact(const LumpedProblem& problem);
@@ -98,6 +101,7 @@ class ComposedContact {
 
   AnyLaw law_;
   Mechanisms mechanisms_;
+  RelaxationBranch law_branch_;  ///< the law's own; none where its ratio is zero
   Plate plate_;
   ContactSetup setup_;
   double radius_;

@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "lumped/integration/checked_setup.hpp"
+#include "lumped/integration/composed_contact.hpp"
 #include "lumped/integration/composed_force_deflection.hpp"
+#include "lumped/integration/sensitivity_names.hpp"
 #include "lumped/integration/varied_step.hpp"
 #include "lumped/laws/make_law.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -171,7 +172,7 @@ DeflectionPoints deflection_points(const Trace& trace) {
 }
 
 std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoints& points) {
-  if (problem.model.mechanisms.act()) return composed_forces_at(problem, points);
+  if (ComposedContact::needed(problem)) return composed_forces_at(problem, points);
   const ContactSetup setup = checked_setup(problem);
   std::vector<double> forces(points.deflection.size());
   std::visit(
@@ -184,8 +185,7 @@ std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoin
 
 VariedForces varied_forces_at(const LumpedProblem& problem, const DeflectionPoints& points,
                               std::span<const Direction> by) {
-  if (problem.model.mechanisms.act())
-    throw Error(ExitCode::bad_input, "slopes of a force are those of a law without mechanisms");
+  require_bare(problem);
   const ContactSetup setup = checked_setup(problem);
   VariedForces forces{std::vector<double>(points.deflection.size()),
                       std::vector<double>(points.deflection.size() * by.size())};

@@ -1,6 +1,10 @@
 #include "lumped/integration/force_time.hpp"
 
+#include <algorithm>
+
 #include "lumped/integration/checked_setup.hpp"
+#include "lumped/integration/composed_contact.hpp"
+#include "lumped/integration/composed_integrator.hpp"
 #include "lumped/integration/sensitivity_names.hpp"
 #include "lumped/integration/varied_step.hpp"
 #include "lumped/laws/make_law.hpp"
@@ -33,15 +37,34 @@ void fill(const Law& law, const ContactSetup& setup, const std::array<Direction,
   }
 }
 
+/// What the instrument reads of a composed contact, between its steps.
+TimedForces composed(const LumpedProblem& problem, std::span<const double> instants) {
+  const ComposedContact contact(problem);
+  ComposedIntegrator run(contact);
+  const ComposedEnd end = run.integrate();
+  TimedForces result{std::vector<double>(instants.size()), {}, {}};
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    if (!(instants[i] >= 0.0 && instants[i] <= end.time)) continue;
+    const auto after = std::upper_bound(
+        run.knots().begin() + 1, run.knots().end(), instants[i],
+        [](double time, const ComposedKnot& knot) { return time < knot.time; });
+    const ComposedKnot& knot = *(after - 1);
+    result.force[i] = contact.instrument_force(
+        knot.phase, state_within(knot, (instants[i] - knot.time) / knot.length));
+  }
+  return result;
+}
+
 }  // namespace
 
 TimedForces forces_at_instants(const LumpedProblem& problem, std::span<const double> instants,
                                std::span<const Direction> by) {
-  require_bare(problem);
   const std::size_t count = instants.size();
   TimedForces result{std::vector<double>(count), std::vector<double>(count),
                      std::vector<double>(count * by.size())};
   if (count == 0) return result;
+  if (by.empty() && ComposedContact::needed(problem)) return composed(problem, instants);
+  require_bare(problem);
   const ContactSetup setup = checked_setup(problem);
   std::visit(
       [&]<class Law>(const Law& law) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lumped/integration/composed_contact.hpp"
 #include "lumped/integration/sensitivities.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/problem/error.hpp"
@@ -34,10 +35,11 @@ Direction direction_of(const std::string& law, const std::string& name) {
 }
 
 void require_bare(const LumpedProblem& problem) {
-  if (!problem.model.mechanisms.act()) return;
+  if (!ComposedContact::needed(problem)) return;
   throw Error(ExitCode::bad_input,
-              "sensitivities are those of a law alone, without mechanisms beside it",
-              {.key = "model.effect", .value = "", .allowed = "none"});
+              "sensitivities are those of a law alone, without mechanisms or a state of its own",
+              {.key = "model", .value = problem.model.law,
+               .allowed = "a law without memory and no effect"});
 }
 
 }  // namespace rebound

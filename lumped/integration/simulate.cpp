@@ -48,7 +48,7 @@ LumpedResult simulate_composed(const LumpedProblem& problem) {
 }  // namespace
 
 LumpedResult simulate(const LumpedProblem& problem) {
-  if (problem.model.mechanisms.act()) return simulate_composed<ComposedCvode>(problem);
+  if (ComposedContact::needed(problem)) return simulate_composed<ComposedCvode>(problem);
   const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
   const ContactSetup setup = checked_setup(problem);
   LumpedResult result;
@@ -63,7 +63,7 @@ LumpedResult simulate(const LumpedProblem& problem) {
 }
 
 LumpedResult simulate_fast(const LumpedProblem& problem) {
-  if (problem.model.mechanisms.act()) return simulate_composed<ComposedIntegrator>(problem);
+  if (ComposedContact::needed(problem)) return simulate_composed<ComposedIntegrator>(problem);
   const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
   const ContactSetup setup = checked_setup(problem);
   LumpedResult result;

@@ -43,6 +43,8 @@ struct ForceSlopes {
 /// is ∂F/∂pᵢ, parameters in the order of the card. The battery holds both against
 /// `force` -> tests LawBattery.RootFormIsTheForce, SlopesAreThoseOfTheForce.
 ///
+/// A law with a state of its own has `RelaxationBranch branch() const`, see
+/// standard_linear_solid.hpp.
 /// A law whose card names a damping parameter also has
 /// `static double damping_for(const DampingRequest&)`. A law that takes a value
 /// from the sphere has `static void complete(ParameterValues&, const Sphere&)`.

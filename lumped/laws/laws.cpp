@@ -13,6 +13,12 @@ const std::vector<LawCard>& all_laws() {
   return cards;
 }
 
+bool has_branch(const std::string& law) {
+  bool found = false;
+  for_law(law, [&]<class Law>() { found = law_has_branch<Law>; });
+  return found;
+}
+
 const LawCard& find_law(const std::string& name) {
   std::string names;
   for (const auto& card : all_laws()) {

@@ -12,6 +12,7 @@
 #include "lumped/laws/kuwabara_kono.hpp"
 #include "lumped/laws/linear_kelvin_voigt.hpp"
 #include "lumped/laws/power_law.hpp"
+#include "lumped/laws/standard_linear_solid.hpp"
 #include "lumped/laws/tsuji.hpp"
 
 namespace rebound {
@@ -20,7 +21,7 @@ namespace rebound {
 /// configuration, the help, calibration, the integrators and the tests.
 using AnyLaw =
     std::variant<LinearKelvinVoigt, EquivalentKelvinVoigt, HuntCrossley, HertzDamped, PowerLaw,
-                 KuwabaraKono, Tsuji, FiniteSphereHertz>;
+                 KuwabaraKono, Tsuji, FiniteSphereHertz, StandardLinearSolid>;
 
 /// Calls `visit.template operator()<Law>()` for every law of the list.
 template <class Visitor>
@@ -41,6 +42,12 @@ void for_law(const std::string& name, Visitor&& visit) {
     if ((card++)->name == name) visit.template operator()<Law>();
   });
 }
+
+/// Does the law carry a state of its own, a relaxing branch? Then it is integrated as a
+/// composed contact, and its `force` is the part without the state.
+template <class Law>
+inline constexpr bool law_has_branch = requires(const Law law) { law.branch(); };
+bool has_branch(const std::string& law);
 
 /// Errors: Error(bad_input) with the names there are.
 const LawCard& find_law(const std::string& name);

@@ -29,6 +29,8 @@ inline ParameterValues typical_parameters(const std::string& law) {
       {"finite-sphere-hertz",
        {{"stiffness", 3.5e6}, {"dissipation_time", 1.0e-4}, {"poisson_ratio", 0.4},
         {"radius", 0.0331}}},
+      {"standard-linear-solid",
+       {{"stiffness", 2.9e6}, {"ratio", 1.0}, {"relaxation_time", 1e-3}}},
   };
   const auto found = table.find(law);
   if (found == table.end()) throw std::logic_error("no typical parameters for law " + law);
@@ -37,7 +39,9 @@ inline ParameterValues typical_parameters(const std::string& law) {
 
 /// The parameter that makes a law lose energy; at zero the law is elastic.
 inline std::string loss_parameter(const std::string& law) {
-  return typical_parameters(law).contains("damping") ? "damping" : "dissipation_time";
+  for (const char* name : {"damping", "dissipation_time"})
+    if (typical_parameters(law).contains(name)) return name;
+  return "ratio";
 }
 
 inline LumpedProblem typical_problem(const std::string& law) {

@@ -166,6 +166,7 @@ TEST(FastSamplesTest, AreAsGoodAsTheTolerance) {
   for (const auto& card : all_laws())
     for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection})
       for (double share : {1.0, 0.05}) {  // of the law's damping
+        if (has_branch(card.name)) continue;  // composed: cubic between shorter steps
         LumpedProblem problem = test::typical_problem(card.name);
         problem.impact.separation = rule;
         problem.model.parameters[test::loss_parameter(card.name)] *= share;

@@ -112,7 +112,8 @@ TEST_P(SensitivityBattery, OutcomeIsThatOfTheTrace) {
 
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const auto& card : all_laws()) all.push_back(card.name);
+  for (const auto& card : all_laws())
+    if (!has_branch(card.name)) all.push_back(card.name);
   return all;
 }
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
