@@ -55,4 +55,28 @@ Dataset example_dataset() {
   return dataset;
 }
 
+CalibrationFile example_calibration() {
+  CalibrationFile file;
+  file.request.law = "hunt-crossley";
+  file.references = {{"reference"}};
+  return file;
+}
+
+SelectionFile example_selection() {
+  SelectionFile file;
+  file.candidates = {{.label = "Hunt-Crossley", .request = {.law = "hunt-crossley"}},
+                     {.label = "Kuwabara-Kono", .request = {.law = "kuwabara-kono"}}};
+  file.references = {{"reference"}};
+  return file;
+}
+
+BenchmarkFile example_benchmark() {
+  BenchmarkFile file;
+  file.rows = {{.label = "as it stands", .file = "lumped.toml", .request = {}},
+               {.label = "Kelvin-Voigt, fitted", .file = "",
+                .request = {.law = "linear-kelvin-voigt"}}};
+  file.references = {{"reference"}};
+  return file;
+}
+
 }  // namespace rebound

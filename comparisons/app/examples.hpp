@@ -1,6 +1,9 @@
 #pragma once
 
+#include "comparisons/benchmark/benchmark_file.hpp"
+#include "comparisons/calibration/calibration_file.hpp"
 #include "comparisons/dataset/dataset.hpp"
+#include "comparisons/selection/selection_file.hpp"
 #include "comparisons/synthesis/synthesis_file.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
@@ -21,5 +24,10 @@ Dataset example_dataset();
 /// Three force histories of core A under Hunt–Crossley with a relaxation that
 /// nobody is told of.
 SynthesisFile example_synthesis();
+
+/// Hunt–Crossley fitted to the folder "reference"; two laws selected between, and scored, on it.
+CalibrationFile example_calibration();
+SelectionFile example_selection();
+BenchmarkFile example_benchmark();
 
 }  // namespace rebound

@@ -32,6 +32,13 @@ const std::vector<Starter>& starters() {
        [] { return write_toml(example_synthesis(), Comments::sentences); }},
       {"dataset/dataset.toml", "the data set of a study; its CSV files go beside it",
        [] { return write_toml(example_dataset(), Comments::sentences); }},
+      {"calibrate.toml",
+       "a fit for `rebound calibrate`, once `rebound lumped lumped.toml --out reference` has run",
+       [] { return write_toml(example_calibration(), Comments::sentences); }},
+      {"select.toml", "two laws for `rebound select`, on the same reference",
+       [] { return write_toml(example_selection(), Comments::sentences); }},
+      {"benchmark.toml", "two laws for `rebound benchmark`, on the same reference",
+       [] { return write_toml(example_benchmark(), Comments::sentences); }},
   };
   return list;
 }

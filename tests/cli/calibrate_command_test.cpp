@@ -1,5 +1,7 @@
 // `calibrate` and `benchmark` on what `lumped --out` wrote.
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 
@@ -105,6 +107,93 @@ TEST_F(CalibrateCommand, BadInputNamesTheKey) {
     const auto error = nlohmann::json::parse(outcome.output)["error"];
     EXPECT_FALSE(error["key"].is_null()) << text;
   }
+}
+
+/// The reference's trace, line by line, with its header.
+class BadData : public CalibrateCommand {
+ protected:
+  std::vector<std::string> lines() const {
+    std::ifstream file(folder.path() / "reference" / "trace.csv");
+    std::vector<std::string> all;
+    for (std::string line; std::getline(file, line);) all.push_back(line);
+    return all;
+  }
+  void expect_refused(const std::vector<std::string>& trace, const std::string& what,
+                      const std::string& keys = "law = \"hunt-crossley\"\n") const {
+    std::string text;
+    for (const auto& line : trace) text += line + "\n";
+    folder.write("reference/trace.csv", text);
+    folder.write("calibrate.toml", "schema = 1\n" + keys + references_);
+    const Outcome outcome = rebound({"calibrate", "calibrate.toml"});
+    EXPECT_EQ(outcome.exit_code, 2) << what;
+    EXPECT_NE(outcome.errors.find(what), std::string::npos) << outcome.errors;
+  }
+};
+
+TEST_F(BadData, AFlatForceIsRefused) {
+  auto trace = lines();
+  for (std::size_t i = 1; i < trace.size(); ++i)
+    trace[i] = trace[i].substr(0, trace[i].find(',')) + ",100,0.001";
+  expect_refused(trace, "flat");
+}
+
+TEST_F(BadData, TwoPointsAreTooFew) {
+  auto trace = lines();
+  trace.resize(3);
+  expect_refused(trace, "five instants");
+}
+
+TEST_F(BadData, MoreParametersThanDataAreRefused) {
+  std::vector<std::string> trace = {lines().front()};
+  for (std::size_t i = 1; i < lines().size(); i += 80) trace.push_back(lines()[i]);
+  expect_refused(trace, "fewer data than parameters", "law = \"power-law\"\ntip_margin = 0.5\n");
+}
+
+TEST_F(BadData, TimeThatGoesBackwardsIsRefusedWithItsLine) {
+  auto trace = lines();
+  trace[50] = trace[20];
+  expect_refused(trace, "trace.csv:51");
+}
+
+TEST_F(BadData, ARestitutionAboveOneIsRefused) {
+  std::filesystem::create_directory(folder.path() / "data");
+  std::filesystem::copy_file(folder.path() / "reference" / "trace.csv",
+                             folder.path() / "data" / "shot.csv");
+  folder.write("data/dataset.toml",
+               "schema = 1\nname = \"data\"\n[sphere]\nmass = \"89.6 g\"\n"
+               "diameter = \"66.2 mm\"\n[[shot]]\nspeed = \"15 m/s\"\ntrace = \"shot.csv\"\n"
+               "restitution = 1.02\n");
+  folder.write("calibrate.toml",
+               "schema = 1\nlaw = \"hunt-crossley\"\ndamping_formula = \"exact\"\n"
+               "[[reference]]\nfolder = \"data\"\n");
+  const Outcome outcome = rebound({"calibrate", "calibrate.toml"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("1.02"), std::string::npos) << outcome.errors;
+}
+
+// Data of an overdamped spring and dashpot, fitted under a rule by which it never comes back.
+TEST_F(BadData, OverdampedUnderZeroDeflectionIsNotIdentifiable) {
+  std::string spring = replaced(lumped_file, "hunt-crossley", "linear-kelvin-voigt");
+  spring = replaced(replaced(spring, "3.5e6 N/m^1.5", "2.5e5 N/m"), "17.63e4 N.s/m^2.5",
+                    "900 N.s/m");
+  folder.write("spring.toml", spring);
+  ASSERT_EQ(rebound({"lumped", "spring.toml", "--out", "reference"}).exit_code, 0);
+  const std::string rule = "[impact]\nseparation = \"zero-deflection\"\n";
+  folder.write("overdamped.toml", replaced(spring, "[impact]\n", rule));
+  const Outcome alone = rebound({"lumped", "overdamped.toml"});
+  EXPECT_EQ(alone.exit_code, 3);
+  EXPECT_NE(alone.errors.find("overdamped"), std::string::npos) << alone.errors;
+  const auto stored = folder.path() / "reference";
+  for (const char* name : {"effective.toml", "result.json"}) {
+    std::ostringstream text;
+    text << std::ifstream(stored / name).rdbuf();
+    folder.write(std::string("reference/") + name,
+                 replaced(text.str(), "zero-force", "zero-deflection"));
+  }
+  folder.write("calibrate.toml", "schema = 1\nlaw = \"linear-kelvin-voigt\"\n" + references_);
+  const auto json = json_of(rebound({"calibrate", "calibrate.toml", "--json"}));
+  for (const auto& estimate : json["estimates"])
+    EXPECT_EQ(estimate["identifiability"], "not-identifiable");
 }
 
 }  // namespace

@@ -80,6 +80,11 @@ TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {
 TEST_F(LumpedCommandTest, StartingFilesRunAsTheyAre) {
   ASSERT_EQ(rebound({"init"}).exit_code, 0);
   EXPECT_EQ(rebound({"lumped", "lumped.toml"}).exit_code, 0);
+  ASSERT_EQ(rebound({"lumped", "lumped.toml", "--out", "reference"}).exit_code, 0);
+  for (const char* command : {"calibrate", "select", "benchmark"}) {
+    const Outcome outcome = rebound({command, std::string(command) + ".toml"});
+    EXPECT_EQ(outcome.exit_code, 0) << command << ": " << outcome.errors;
+  }
   const std::string text = read_whole(folder.path() / "lumped.toml");
   EXPECT_NE(text.find("# Mass of the ball."), std::string::npos);
   EXPECT_EQ(rebound({"init"}).exit_code, 2);  // nothing is overwritten

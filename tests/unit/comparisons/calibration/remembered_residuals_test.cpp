@@ -1,10 +1,15 @@
 #include "comparisons/calibration/remembered_residuals.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "lumped/problem/error.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -51,6 +56,66 @@ TEST(RememberedResidualsTest, AKilledCalibrationGoesOnToTheSameBits) {
     EXPECT_EQ(found.estimates[i].value, expected.estimates[i].value);
     EXPECT_EQ(found.estimates[i].standard_error, expected.estimates[i].standard_error);
   }
+  EXPECT_EQ(found.cost_after, expected.cost_after);
+}
+
+// A real kill -9: a child process calibrates slowly and dies while it does.
+TEST(RememberedResidualsTest, ACalibrationKilledByTheSystemGoesOnToTheSameBits) {
+  testing::TemporaryFolder folder;
+  const auto file = folder.path() / "checkpoint.json";
+  Valley whole;
+  const auto expected = calibrate(whole.problem({}));
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Valley slow;
+    CalibrationProblem problem = slow.problem(file);
+    problem.residuals = [inner = problem.residuals](const std::vector<double>& x) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      return inner(x);
+    };
+    calibrate(problem);
+    _exit(0);  // not reached: some hundred evaluations take longer than the test waits
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  while (!std::filesystem::exists(file) &&
+         std::chrono::steady_clock::now() - begun < std::chrono::seconds(30))
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_EQ(kill(child, SIGKILL), 0);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
+  Valley resumed;
+  const auto found = calibrate(resumed.problem(file));
+  EXPECT_LT(resumed.calls, whole.calls - 10);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(found.estimates[i].value, expected.estimates[i].value);
+  EXPECT_EQ(found.cost_after, expected.cost_after);
+}
+
+// With slopes of its own a model is asked less often, and goes on just as well.
+TEST(RememberedResidualsTest, SlopesAreRememberedToo) {
+  testing::TemporaryFolder folder;
+  const auto file = folder.path() / "checkpoint.json";
+  const auto with_slopes = [&](Valley& valley, const std::filesystem::path& checkpoint) {
+    CalibrationProblem problem = valley.problem(checkpoint);
+    problem.varied = [inner = problem.residuals](const std::vector<double>& x) {
+      return VariedResiduals{inner(x), {-20.0 * x[0], 10.0, -1.0, 0.0, 0.0, 0.0}};
+    };
+    return problem;
+  };
+  Valley plain, whole;
+  const auto differenced = calibrate(plain.problem({}));
+  const auto expected = calibrate(with_slopes(whole, {}));
+  EXPECT_LT(2 * whole.calls, plain.calls);
+  EXPECT_NEAR(expected.estimates[0].value, differenced.estimates[0].value, 1e-6);
+  Valley killed;
+  killed.allowed = 10;
+  EXPECT_THROW(calibrate(with_slopes(killed, file)), Error);
+  Valley resumed;
+  const auto found = calibrate(with_slopes(resumed, file));
+  EXPECT_LT(resumed.calls, whole.calls);
+  EXPECT_EQ(found.estimates[0].value, expected.estimates[0].value);
   EXPECT_EQ(found.cost_after, expected.cost_after);
 }
 
