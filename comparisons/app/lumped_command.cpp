@@ -12,6 +12,7 @@
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/results/result_folder.hpp"
+#include "lumped/integration/sensitivities.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 
@@ -25,27 +26,45 @@ std::string lumped_help() {
   return text + "\n" + exit_code_help();
 }
 
-LumpedResult simulate_located(const Document& document, const LumpedProblem& problem) {
+/// Derivatives in SI over SI, by parameter, mass and speed.
+Json sensitivity_table(const LumpedProblem& problem) {
+  const Sensitivities found = sensitivities(problem);
+  Json table = Json::object();
+  for (std::size_t i = 0; i < found.by.size(); ++i)
+    table[found.by[i]] = {{"restitution", found.slopes[i].restitution},
+                          {"contact_time_s", found.slopes[i].contact_time},
+                          {"peak_force_N", found.slopes[i].peak_force},
+                          {"peak_deflection_m", found.slopes[i].peak_deflection}};
+  return table;
+}
+
+template <class Run>
+auto located(const Document& document, const Run& run) {
   try {
-    return simulate(problem);
+    return run();
   } catch (const Error& error) {
     throw document.located(error);
   }
 }
 
-ExitCode run_lumped(const Session& session, const std::string& file) {
+enum class Derivatives { none, printed };
+
+ExitCode run_lumped(const Session& session, const std::string& file, Derivatives derivatives) {
   const Document document = Document::load(file);
   const LumpedImpactFile impact_file = read_lumped_impact(document);
   const LumpedProblem problem = applied(impact_file, document);
   if (!session.out.empty()) make_writable_folder(session.out);
-  const LumpedResult result = simulate_located(document, problem);
+  const LumpedResult result = located(document, [&] { return simulate(problem); });
   check_deflection(document, problem.sphere, result.scalars.peak_deflection);
   if (!session.out.empty())
     write_result({.folder = session.out,
                   .effective_toml = write_toml(impact_file),
                   .provenance = provenance_of(session, file, document.text())},
                  result);
-  print_result(session, to_json(result));
+  Json json = to_json(result);
+  if (derivatives == Derivatives::printed)
+    json["sensitivities"] = located(document, [&] { return sensitivity_table(problem); });
+  print_result(session, json);
   return ExitCode::done;
 }
 
@@ -54,8 +73,14 @@ ExitCode run_lumped(const Session& session, const std::string& file) {
 Action declare_lumped(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   command.add_option("FILE", *file, "Impact file with [model] tier = \"lumped\"")->required();
+  const auto derivatives = std::make_shared<bool>(false);
+  command.add_flag("--sensitivities", *derivatives,
+                   "Derivatives of restitution, contact time and peaks by every parameter of the "
+                   "law, the mass and the speed (SI over SI); a law without effects");
   command.footer(lumped_help);
-  return [file](const Session& session) { return run_lumped(session, *file); };
+  return [=](const Session& session) {
+    return run_lumped(session, *file, *derivatives ? Derivatives::printed : Derivatives::none);
+  };
 }
 
 }  // namespace rebound

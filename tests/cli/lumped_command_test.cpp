@@ -77,6 +77,24 @@ TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {
   EXPECT_FALSE(there("results/result.json"));
 }
 
+// Restitution of Hunt-Crossley depends on damping times speed over stiffness alone.
+TEST_F(LumpedCommandTest, SensitivitiesArePrintedOnRequest) {
+  folder.write("impact.toml", lumped_file);
+  const Outcome outcome = rebound({"lumped", "impact.toml", "--sensitivities", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto by = nlohmann::json::parse(outcome.output)["sensitivities"];
+  const auto slope = [&](const char* name, double value) {
+    return by[name]["restitution"].get<double>() * value;
+  };
+  EXPECT_LT(slope("damping", 17.63e4), -0.1);
+  EXPECT_NEAR(slope("damping", 17.63e4), slope("speed", 15.0), 1e-6);
+  EXPECT_NEAR(slope("damping", 17.63e4), -slope("stiffness", 3.5e6), 1e-6);
+  EXPECT_NEAR(slope("mass", 0.0896), 0.0, 1e-6);
+  EXPECT_GT(by["speed"]["peak_force_N"].get<double>(), 0.0);
+  folder.write("plate.toml", lumped_file + "[model.plate]\nstiffness = \"50 MN/m\"\nmass = \"2 kg\"\n");
+  EXPECT_EQ(rebound({"lumped", "plate.toml", "--sensitivities"}).exit_code, 2);
+}
+
 TEST_F(LumpedCommandTest, StartingFilesRunAsTheyAre) {
   ASSERT_EQ(rebound({"init"}).exit_code, 0);
   EXPECT_EQ(rebound({"lumped", "lumped.toml"}).exit_code, 0);
