@@ -52,8 +52,9 @@ bool CalibrationCost::varied_at(const std::vector<double>& y) const {
   last_y_ = y;
   last_residuals_ = std::move(found.residuals);
   last_slopes_ = std::move(found.slopes);
-  for (std::size_t i = 0; i < last_slopes_.size(); ++i)
-    last_slopes_[i] *= problem_.parameters[i % y.size()].scale;
+  for (std::size_t j = 0; j < y.size(); ++j)
+    for (std::size_t i = j; i < last_slopes_.size(); i += y.size())
+      last_slopes_[i] *= problem_.parameters[j].scale;
   return std::all_of(last_slopes_.begin(), last_slopes_.end(),
                      [](double slope) { return std::isfinite(slope); });
 }

@@ -32,6 +32,7 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem,
   FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ownership.disable_all_safety_checks = true;  // the cost refuses what is not finite itself
   ceres::Problem search(ownership);
   search.AddResidualBlock(&cost, nullptr, y.data());
   for (std::size_t i = 0; i < y.size(); ++i) {
