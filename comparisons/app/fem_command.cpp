@@ -9,6 +9,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/interruption.hpp"
+#include "comparisons/app/memory_needed.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/config/describe_fem.hpp"
@@ -43,15 +44,18 @@ void check_size(const FemProblem& problem, const Mesh& mesh) {
               {.file = problem.mesh_file, .key = "model.mesh", .allowed = "a volume within 5 %"});
 }
 
-/// A user's own mesh, or one of about `cells`.
-Mesh mesh_for(const FemProblem& problem, int cells) {
+/// A user's own mesh, or one of about `cells`; `copies` times its cells have to
+/// fit into the memory.
+Mesh mesh_for(const FemProblem& problem, int copies) {
   if (!problem.mesh_file.empty()) {
     constexpr std::size_t largest_file = 1u << 28;
     const Mesh mesh = read_msh(read_text_file(problem.mesh_file, largest_file), problem.mesh_file);
     check_size(problem, mesh);
+    check_memory(problem, copies * static_cast<int>(mesh.cells.size()));
     return mesh;
   }
-  return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
+  check_memory(problem, copies * problem.cells);
+  return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
 }
 
 void prepare_output(const Session& session, const Document& document, FemProblem& problem) {
@@ -74,13 +78,14 @@ struct Outcome {
 Outcome simulate(const FemProblem& problem, Errors errors) {
   ProgressLine progress("FE impact");
   if (errors == Errors::reference) {
-    const Mesh coarse = mesh_for(problem, problem.cells);
+    constexpr int family = 1 + 4 + 16;
+    const Mesh coarse = mesh_for(problem, family);
     ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, progress.control());
     Json json = to_json(reference);
     return {std::move(reference.result), std::move(json)};
   }
   FemResult result =
-      fem_tier().simulate(problem, mesh_for(problem, problem.cells), progress.control());
+      fem_tier().simulate(problem, mesh_for(problem, 1), progress.control());
   Json json = result.incomplete_because.empty() ? to_json(result) : Json();
   return {std::move(result), std::move(json)};
 }

@@ -20,6 +20,19 @@ TEST_F(FemCommandTest, PrintsTheContractsKeysAndTheMomentumRestitution) {
                   .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
 }
 
+TEST_F(FemCommandTest, CellsBeyondTheMemoryAreRefusedBeforeTheyAreMade) {
+  folder.write("big.toml", replaced(fem_file, "cells = 60", "cells = 1000000"));
+  Invocation limited{.arguments = {"/bin/bash", "-c",
+                                   "ulimit -v 1500000; exec " REBOUND_PROGRAM " fem big.toml --json"},
+                     .folder = folder.path()};
+  const Outcome outcome = run_program(limited);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+  const auto error = nlohmann::json::parse(outcome.output)["error"];
+  EXPECT_EQ(error["key"], "model.cells");
+  EXPECT_EQ(error["value"], "1000000");
+  EXPECT_NE(error["message"].get<std::string>().find("GB"), std::string::npos);
+}
+
 // The keys reach the tier: the load cell, the weight and the further branch show.
 TEST_F(FemCommandTest, PlateAndEffectsActAndStayInTheEffectiveConfiguration) {
   folder.write("plain.toml", fem_file);

@@ -1,0 +1,50 @@
+#include "comparisons/app/memory_needed.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+double memory_needed(const FemProblem& problem, int cells) {
+  constexpr double module = 0.17e9, explicit_cell = 1500.0, branch = 130.0, implicit_cell = 25e3;
+  const double cell = problem.scheme == FemScheme::implicit_steps
+                          ? implicit_cell
+                          : explicit_cell + branch * static_cast<double>(problem.material.branches.size());
+  return module + cell * cells;
+}
+
+double memory_available() {
+  double available = std::numeric_limits<double>::infinity();
+  std::ifstream file("/proc/meminfo");
+  for (std::string name, unit; file >> name;) {
+    double kilobytes = 0.0;
+    if (!(file >> kilobytes)) break;
+    std::getline(file, unit);
+    if (name == "MemAvailable:") available = 1024.0 * kilobytes;
+  }
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    available = std::min(available, static_cast<double>(limit.rlim_cur));
+  return available;
+}
+
+void check_memory(const FemProblem& problem, int cells) {
+  const double needed = memory_needed(problem, cells), available = memory_available();
+  if (needed <= available) return;
+  const bool own_mesh = !problem.mesh_file.empty();
+  throw Error(ExitCode::bad_input,
+              fmt::format("{} cells would take about {:.2g} GB of memory; {:.2g} GB are free", cells,
+                          needed * 1e-9, available * 1e-9),
+              {.key = own_mesh ? "model.mesh" : "model.cells",
+               .value = own_mesh ? problem.mesh_file : std::to_string(problem.cells),
+               .allowed = "cells that fit into the memory"});
+}
+
+}  // namespace rebound
