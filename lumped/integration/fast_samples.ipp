@@ -80,6 +80,8 @@ void FastIntegrator<Law, Width>::sample(const SampleView& samples) const {
   const std::size_t count = samples.time.size(), last = count - 1;
   const double spacing = end_.time / static_cast<double>(last);
   for (std::size_t i = 0; i < last; ++i) samples.time[i] = instant(i, count);
+  // T − t of a knot shortly before the end has lost digits, and u_ww two powers of u more.
+  const double clear = 2.0 * u_scale_ * std::pow(1e-16 / setup_.relative_tolerance, 0.25);
   samples.deflection[0] = 0.0;
   samples.force[0] = force(0.0, setup_.speed);
   std::size_t from = 1;
@@ -91,8 +93,6 @@ void FastIntegrator<Law, Width>::sample(const SampleView& samples) const {
       while (to > from && samples.time[to - 1] > right.t) --to;
     }
     const bool opening = left.v <= 0.0 || k + 2 == knots_;
-    // T − t of a knot shortly before the end has lost its digits.
-    const double clear = 0.05 * u_scale_;
     const bool blurred = left.u < clear || (right.u > 0.0 && right.u < clear);
     if (opening && (blurred || end_.deflection > 0.0))
       sample_near_end(left, right, from, to, samples);
