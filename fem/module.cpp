@@ -2,6 +2,7 @@
 
 #include "fem/discretisation/discretisation.hpp"
 #include "fem/implicit/implicit_impact.hpp"
+#include "fem/implicit/static_compression.hpp"
 #include "fem/schemes/explicit_impact.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/modules.hpp"
@@ -34,6 +35,11 @@ class LoadedFemTier final : public rebound::FemTier {
   std::shared_ptr<const rebound::FemBody> prepare(const rebound::Mesh& mesh,
                                                   double mass) const override {
     return std::make_shared<PreparedBody>(mesh, mass);
+  }
+  rebound::CompressionResult compress(const rebound::CompressionProblem& problem,
+                                      const rebound::Mesh& mesh,
+                                      const rebound::RunControl& control) const override {
+    return rebound::fem::run_static_compression(mesh, problem, control);
   }
   std::string versions() const override {
     return std::string("deal.II ") + DEAL_II_PACKAGE_VERSION + ", kernel " +

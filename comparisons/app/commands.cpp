@@ -8,6 +8,7 @@ const std::vector<Command>& commands() {
       {"reproduce", "the seed paper's numbers, value by value, against published", declare_reproduce},
       {"lumped", "one trace of a lumped contact law", declare_lumped},
       {"fem", "one trace of the FE tier", declare_fem},
+      {"compress", "slow or prescribed compression of the FE tier, no inertia", declare_compress},
       {"mesh", "the sphere mesh, with quality figures", declare_mesh},
       {"calibrate", "a lumped law's parameters to traces, with uncertainty", declare_calibrate},
       {"benchmark", "lumped laws against reference traces: one scored matrix", declare_benchmark},

@@ -21,6 +21,7 @@ Action declare_study(CLI::App& command);
 Action declare_reproduce(CLI::App& command);
 Action declare_lumped(CLI::App& command);
 Action declare_fem(CLI::App& command);
+Action declare_compress(CLI::App& command);
 Action declare_mesh(CLI::App& command);
 Action declare_calibrate(CLI::App& command);
 Action declare_benchmark(CLI::App& command);

@@ -26,6 +26,16 @@ FemProblem example_fem_problem() {
   return problem;
 }
 
+CompressionProblem example_compression() {
+  CompressionProblem problem;
+  problem.sphere = core_a;
+  problem.compression = {.platens = 2, .deflection = 16e-3, .steps = 64};
+  problem.material.youngs_modulus = 3.6e6;
+  problem.material.poisson_ratio = 0.4;
+  problem.material.modulus = ModulusBasis::long_term;
+  return problem;
+}
+
 SynthesisFile example_synthesis() {
   SynthesisFile file;
   file.name = "relaxation hidden in core A";

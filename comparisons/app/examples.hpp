@@ -5,6 +5,7 @@
 #include "comparisons/dataset/dataset.hpp"
 #include "comparisons/selection/selection_file.hpp"
 #include "comparisons/synthesis/synthesis_file.hpp"
+#include "lumped/problem/compression.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
@@ -17,6 +18,9 @@ LumpedProblem example_lumped_problem();
 /// A ball of core A's mass and size with round material numbers: something to
 /// start from, not a calibrated core.
 FemProblem example_fem_problem();
+
+/// The same ball with a round long-term modulus, 16 mm between two platens.
+CompressionProblem example_compression();
 
 /// Core A as the paper's tables have it at one speed: scalars without traces.
 Dataset example_dataset();

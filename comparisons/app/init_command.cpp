@@ -5,6 +5,7 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/examples.hpp"
 #include "comparisons/app/print_result.hpp"
+#include "comparisons/config/describe_compression.hpp"
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/toml_writer.hpp"
@@ -28,6 +29,8 @@ const std::vector<Starter>& starters() {
        [] { return write_toml(example_lumped_problem(), Comments::sentences); }},
       {"fem.toml", "an impact for `rebound fem`",
        [] { return write_toml(example_fem_problem(), Comments::sentences); }},
+      {"compression.toml", "a slow compression between platens for `rebound compress`",
+       [] { return write_toml(example_compression(), Comments::sentences); }},
       {"synthesis.toml", "an experiment for `rebound synthesize`, with something hidden in it",
        [] { return write_toml(example_synthesis(), Comments::sentences); }},
       {"dataset/dataset.toml", "the data set of a study; its CSV files go beside it",

@@ -7,6 +7,7 @@
 #include "comparisons/atlas/atlas_text.hpp"
 #include "comparisons/benchmark/benchmark_file.hpp"
 #include "comparisons/calibration/calibration_file.hpp"
+#include "comparisons/config/describe_compression.hpp"
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/schema_writer.hpp"
@@ -29,6 +30,7 @@ const std::vector<Format>& formats() {
   static const std::vector<Format> list{
       {"lumped", [] { return json_schema<LumpedImpactFile>("Impact file, lumped tier"); }},
       {"fem", [] { return json_schema<FemImpactFile>("Impact file, FE tier"); }},
+      {"compress", [] { return json_schema<CompressionProblem>("Compression file"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
       {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},

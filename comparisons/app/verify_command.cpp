@@ -12,6 +12,7 @@
 #include "comparisons/verification/fem_rungs.hpp"
 #include "comparisons/verification/lumped_rungs.hpp"
 #include "comparisons/verification/mesh_family.hpp"
+#include "comparisons/verification/second_scheme_rungs.hpp"
 #include "comparisons/verification/verification_report.hpp"
 #include "comparisons/verification/verification_text.hpp"
 
@@ -41,6 +42,7 @@ Verification verify(const std::string& tier) {
   }
   ProgressLine progress("FE rungs");
   append(table, verify_fem(fem_tier(), progress.control()));
+  append(table, verify_second_scheme(fem_tier(), progress.control()));
   found.family = run_mesh_family(fem_tier(), progress.control());
   append(table, rows_of(found.family));
   return found;

@@ -120,15 +120,8 @@ void check_fem(const Document& document, const FemProblem& problem) {
   if (problem.impact.separation != SeparationRule::zero_force)
     throw document.error_at("impact.separation",
                             "the FE tier finds separation by the force alone", "zero-force");
-  constexpr double highest_poisson_ratio = 0.45;
-  if (problem.material.poisson_ratio > highest_poisson_ratio)
-    throw document.error_at("model.material.poisson_ratio",
-                            "fully integrated elements lock near incompressibility and would "
-                            "give a wrong force",
-                            "-1 < value <= 0.45");
+  check_material(document, problem.material);
   if (problem.scheme == FemScheme::implicit_steps) check_implicit(document, problem);
-  check_shares(document, problem.material);
-  check_terms(document, problem.material);
   const double wave = instantaneous_shear_speed(problem);
   if (problem.impact.speed >= wave)
     throw document.error_at(
@@ -143,6 +136,17 @@ void check_fem(const Document& document, const FemProblem& problem) {
 }
 
 }  // namespace
+
+void check_material(const Document& document, const Material& material) {
+  constexpr double highest_poisson_ratio = 0.45;
+  if (material.poisson_ratio > highest_poisson_ratio)
+    throw document.error_at("model.material.poisson_ratio",
+                            "fully integrated elements lock near incompressibility and would "
+                            "give a wrong force",
+                            "-1 < value <= 0.45");
+  check_shares(document, material);
+  check_terms(document, material);
+}
 
 void check_density(const Document& document, const Sphere& sphere) {
   constexpr double lightest = 50.0;

@@ -39,6 +39,10 @@ FemImpactFile read_fem_impact(const Document& document);
 LumpedProblem applied(const LumpedImpactFile& file, const Document& document);
 FemProblem applied(const FemImpactFile& file, const Document& document);
 
+/// ν above 0.45, shares of the instantaneous modulus that leave nothing, and
+/// terms of an elastic law that do not fit together.
+void check_material(const Document& document, const Material& material);
+
 /// The check of mass against diameter, for any file with a [sphere].
 void check_density(const Document& document, const Sphere& sphere);
 

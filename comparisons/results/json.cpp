@@ -1,5 +1,8 @@
 #include "comparisons/results/json.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rebound {
 namespace {
 
@@ -43,6 +46,33 @@ Json to_json(const FemResult& result) {
   json["contact_constraint_share"] = result.contact_constraint_share;
   json["kernel"] = result.kernel;
   return json;
+}
+
+Json to_json(const CompressionResult& result) {
+  if (!result.incomplete_because.empty())
+    throw Error(ExitCode::solver_failed, result.incomplete_because);
+  const CompressionCurve& curve = result.curve;
+  const bool slow = curve.time.empty();
+  double product = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < curve.force.size(); ++i) {
+    const double power = std::pow(curve.deflection[i], 1.5);
+    product += curve.force[i] * power;
+    square += power * power;
+  }
+  const bool left = !slow && curve.force.back() == 0.0;
+  return {{"schema", 1},
+          {"peak_deflection_m", *std::max_element(curve.deflection.begin(), curve.deflection.end())},
+          {"peak_force_N", *std::max_element(curve.force.begin(), curve.force.end())},
+          {"contact_radius_peak_m",
+           *std::max_element(curve.contact_radius.begin(), curve.contact_radius.end())},
+          {"stiffness_N_m1_5", slow ? Json(product / square) : Json(nullptr)},
+          {"work_J", curve.work.back()},
+          {"stored_J", curve.stored.back()},
+          {"contact_end_s", left ? Json(curve.time.back()) : Json(nullptr)},
+          {"cells", result.cells},
+          {"vertices", result.vertices},
+          {"iterations", result.iterations},
+          {"wall_s", result.wall_seconds}};
 }
 
 Json to_json(const Error& error) {

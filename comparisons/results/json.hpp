@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lumped/problem/compression.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/result.hpp"
 
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 /// scalars may be reported.
 Json to_json(const LumpedResult& result);
 Json to_json(const FemResult& result);
+Json to_json(const CompressionResult& result);
 
 /// {"schema": 1, "error": {code, message, file, line, column, key, value,
 /// allowed}}, null where a field does not apply.

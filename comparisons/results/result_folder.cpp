@@ -9,7 +9,8 @@ namespace rebound {
 namespace {
 
 constexpr const char* all_files[] = {"result.json", "trace.csv", "incomplete.json",
-                                     "trace-incomplete.csv", "effective.toml"};
+                                     "trace-incomplete.csv", "curve.csv", "curve-incomplete.csv",
+                                     "effective.toml"};
 
 struct Names {
   const char* json;
@@ -51,6 +52,20 @@ void write_result(const ResultFolder& target, const FemResult& result) {
                      {"steps", result.steps},
                      {"wall_s", result.wall_seconds}};
   write_files(target, {"incomplete.json", "trace-incomplete.csv"}, json, trace);
+}
+
+void write_result(const ResultFolder& target, const CompressionResult& result) {
+  const std::string curve = curve_csv(result.curve);
+  if (result.incomplete_because.empty()) {
+    write_files(target, {"result.json", "curve.csv"}, to_json(result), curve);
+    return;
+  }
+  const Json json = {{"schema", 1},
+                     {"complete", false},
+                     {"incomplete_because", result.incomplete_because},
+                     {"cells", result.cells},
+                     {"wall_s", result.wall_seconds}};
+  write_files(target, {"incomplete.json", "curve-incomplete.csv"}, json, curve);
 }
 
 }  // namespace rebound

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "comparisons/results/provenance.hpp"
+#include "lumped/problem/compression.hpp"
 #include "lumped/problem/result.hpp"
 
 namespace rebound {
@@ -25,5 +26,8 @@ void write_result(const ResultFolder& target, const LumpedResult& result);
 /// and incomplete.json, which says why and reports no scalar; any result.json
 /// and trace.csv of an earlier run in that folder are removed first.
 void write_result(const ResultFolder& target, const FemResult& result);
+
+/// A compression gives curve.csv where an impact gives trace.csv.
+void write_result(const ResultFolder& target, const CompressionResult& result);
 
 }  // namespace rebound

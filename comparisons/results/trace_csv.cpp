@@ -54,4 +54,17 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energie
   return trace_csv(with_energies);
 }
 
+std::string curve_csv(const CompressionCurve& curve) {
+  const bool timed = !curve.time.empty();
+  std::string text = timed ? "time_s," : "";
+  text += "deflection_m,force_N,contact_radius_m,stored_J,work_J\n";
+  auto out = std::back_inserter(text);
+  for (std::size_t i = 0; i < curve.force.size(); ++i) {
+    if (timed) fmt::format_to(out, "{:.17g},", curve.time[i]);
+    fmt::format_to(out, "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.deflection[i], curve.force[i],
+                   curve.contact_radius[i], curve.stored[i], curve.work[i]);
+  }
+  return text;
+}
+
 }  // namespace rebound

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lumped/problem/compression.hpp"
 #include "lumped/problem/result.hpp"
 
 namespace rebound {
@@ -14,5 +15,10 @@ std::string trace_csv(const Trace& trace);
 /// The same with one column per energy, in J.
 /// Errors: Error(solver_failed) when trace and energies differ in length.
 std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energies);
+
+/// A compression: time_s where the path has one, deflection_m, force_N,
+/// contact_radius_m, stored_J, work_J. A slow one is what a data set takes as
+/// a quasi-static trace.
+std::string curve_csv(const CompressionCurve& curve);
 
 }  // namespace rebound

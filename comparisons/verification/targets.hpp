@@ -46,6 +46,16 @@ inline constexpr SphereImpact sphere_impacts[] = {
 /// Mesh grading that resolves a contact of a twentieth of the radius.
 inline constexpr double low_speed_grading = 30.0;
 
+/// Rung c: static contact on one plate (held by a uniform body force) and
+/// between two, x = x_Hertz (1 − s) at the contact radius a of Hertz. Linear
+/// elasticity: sums over Legendre modes and finite elements agree.
+struct StaticContact {
+  int platens;
+  double a_over_r, s, tolerance;  // of s
+};
+inline constexpr StaticContact static_contacts[] = {
+    {1, 0.1, 0.0569, 0.005}, {2, 0.1, 0.0296, 0.005}, {1, 0.2, 0.119, 0.011}, {2, 0.2, 0.064, 0.011}};
+
 /// Rung d′: bar without lateral contraction, σ = ρ c v, t = 2 L/c, e = 1.
 inline constexpr double bar_radius = 0.01, bar_length = 0.05, bar_speed = 0.1;  // [m], [m], [m/s]
 inline constexpr double bar_density = 589.8416, bar_modulus = 10e6;             // [kg/m³], [Pa]

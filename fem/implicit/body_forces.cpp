@@ -194,6 +194,10 @@ void BodyForces::accept(const Eigen::VectorXd& u) {
     }
 }
 
+double BodyForces::rounding() const {
+  return 1e-14 * law_.constants().instantaneous.bulk * body_.height * body_.height;
+}
+
 double BodyForces::stored_energy(const Eigen::VectorXd& u) const {
   double sum = 0.0;
   for (const auto& cell : body_.cells)

@@ -52,6 +52,9 @@ class BodyForces {
   /// The step is over: branches move to its end.
   void accept(const Eigen::VectorXd& u);
 
+  /// What rounding leaves of the sum of forces on all nodes [N].
+  double rounding() const;
+
   double stored_energy(const Eigen::VectorXd& u) const;
 
   const SystemMatrix& mass() const { return mass_; }  ///< lower triangle

@@ -81,6 +81,7 @@ EquilibriumSearch::Result EquilibriumSearch::solve(const EquilibriumTask& task, 
   const bool loaded = task.load.size() > 0;
   Eigen::VectorXd tried = u;
   int halvings = 0;
+  const double small = std::max(residual_tolerance * task.force_scale, task.rounding);
   for (; result.iterations < most_iterations; ++result.iterations) {
     if (task.linearise(tried, residual_, matrix_) != BodyForces::Outcome::done) {
       if (result.iterations == 0 || ++halvings > 8) {
@@ -97,7 +98,8 @@ EquilibriumSearch::Result EquilibriumSearch::solve(const EquilibriumTask& task, 
     auto revision = held.hold(u);
     mark_fixed(task, u, held);
     double miss = free_norm(residual_);
-    if (miss <= settled * task.force_scale && held.release(residual_) == HeldNodes::Revision::changed) {
+    if (miss <= std::max(settled * task.force_scale, small) &&
+        held.release(residual_) == HeldNodes::Revision::changed) {
       revision = HeldNodes::Revision::changed;
       mark_fixed(task, u, held);
       miss = free_norm(residual_);
@@ -109,8 +111,8 @@ EquilibriumSearch::Result EquilibriumSearch::solve(const EquilibriumTask& task, 
     }
     const bool travelled =
         !loaded || std::abs(task.load.dot(u) - task.travel) <= 1e-12 * reach_;
-    if (revision == HeldNodes::Revision::none && miss <= residual_tolerance * task.force_scale &&
-        travelled && largest_miss() <= 1e-12 * reach_) {
+    if (revision == HeldNodes::Revision::none && miss <= small && travelled &&
+        largest_miss() <= 1e-12 * reach_) {
       reaction.setZero(u.size());
       held.each_held(u, [&](int unknown, double) { reaction[unknown] = residual_[unknown]; });
       for (const auto& [unknown, value] : task.prescribed) reaction[unknown] = residual_[unknown];

@@ -19,6 +19,7 @@ struct EquilibriumTask {
                                     SystemMatrix& matrix)>
       linearise;
   double force_scale = 0.0;  ///< residuals are small against this [N]
+  double rounding = 0.0;     ///< what rounding leaves of a residual [N]
   /// Unknowns with given values.
   std::vector<std::pair<int, double>> prescribed{};
   /// A load of known direction and unknown size F, and what F works on:
@@ -31,7 +32,7 @@ struct EquilibriumTask {
 
 /// Newton's method with a sparse direct solve, on a system whose contact nodes
 /// are held or free. Ends when the residual of the free unknowns is below 1e-9
-/// of the scale and the active set stands still.
+/// of the scale (or is rounding) and the active set stands still.
 class EquilibriumSearch {
  public:
   EquilibriumSearch(const QuadraticBody& body, const SystemMatrix& pattern);

@@ -120,6 +120,7 @@ EquilibriumTask ImplicitImpact::task_of(double step) const {
   };
   // The mean force of a contact, as a yardstick while there is none yet.
   task.force_scale = std::max(now_.force.norm(), 1e-2 * body_.mass * problem_.impact.speed / expected_time_);
+  task.rounding = forces_.rounding();
   return task;
 }
 

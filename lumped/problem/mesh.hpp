@@ -16,11 +16,18 @@ struct Mesh {
   std::vector<std::array<int, 2>> contact_edges; ///< group "contact": may touch the plate
 };
 
+/// Which part of a sphere is meshed.
+enum class SpherePart {
+  whole,
+  lower_half  ///< up to the plane z = R
+};
+
 /// Half-disc of a sphere resting on the plate, cells graded to the contact.
 struct SphereMeshRequest {
   double radius = 0.0;          ///< [m]
   int cells = 1000;             ///< about
   double grading = 1.5;         ///< cell size opposite the pole over that at it, >= 1
+  SpherePart part = SpherePart::whole;
 };
 
 /// Shape figures of a mesh; the solver refuses a mesh whose worst Jacobian is not positive.

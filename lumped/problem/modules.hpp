@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "lumped/problem/compression.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/mesh.hpp"
 #include "lumped/problem/result.hpp"
@@ -38,6 +39,11 @@ class FemTier {
     return prepare(mesh, problem.sphere.mass)->simulate(problem, control);
   }
 
+  /// Presses a sphere without inertia; `mesh` is its lower half between two platens.
+  /// Errors and interruption as FemBody::simulate.
+  virtual CompressionResult compress(const CompressionProblem& problem, const Mesh& mesh,
+                                     const RunControl& control) const = 0;
+
   /// Versions of what the module was built with, for provenance.
   virtual std::string versions() const = 0;
 };
@@ -50,7 +56,7 @@ using FemRunner = std::function<FemResult(const FemProblem&)>;
 /// are built together; a stale one of the two must be refused, not crash.
 inline constexpr unsigned long interface_stamp =
     1 + 31 * sizeof(FemProblem) + 1009 * sizeof(FemResult) + 30011 * sizeof(EnergyBook) +
-    900007 * sizeof(Mesh);
+    900007 * sizeof(Mesh) + 800000011 * (sizeof(CompressionProblem) + 3 * sizeof(CompressionResult));
 
 /// Name of the entry point: an `extern "C"` function that takes the caller's
 /// interface_stamp and returns an object living as long as the module, or null

@@ -104,14 +104,35 @@ void add_cells(Mesh& mesh, const Disc& disc, const Blocks& blocks) {
                             disc.around(k + 1, ring), disc.around(k, ring)});
 }
 
-void add_boundary(Mesh& mesh, const Disc& disc, const Blocks& blocks) {
+/// Möbius draw of a grading.
+double draw_of(double grading) {
+  const double root = std::sqrt(grading);
+  return (root - 1.0) / (root + 1.0);
+}
+
+/// Boundary vertex, counted from the pole, that becomes the corner of the lower
+/// half: the one nearest to where the draw leaves it.
+int corner_for(double draw, int count) {
+  const double angle = 0.5 * std::numbers::pi + 2.0 * std::atan(draw);
+  return std::clamp(static_cast<int>(std::lround(angle / std::numbers::pi * count)), count / 2, count - 1);
+}
+
+/// Conformal map of the unit disc to its lower half that keeps −i and ±1 and takes i to 0.
+Point fold(const Point& w) {
+  // √(−i m) as √m √−i: m lies right of the imaginary axis, far from the cut.
+  const Point root = std::sqrt((1.0 + w) / (1.0 - w)) * Point(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2);
+  return (root - 1.0) / (root + 1.0);
+}
+
+/// Edges of axis and contact; the circle up to boundary vertex `last`.
+void add_boundary(Mesh& mesh, const Disc& disc, const Blocks& blocks, int last) {
   const int n = blocks.core, rings = blocks.rings;
   for (int ring = rings; ring > 0; --ring)
     mesh.axis_edges.push_back({disc.around(0, ring), disc.around(0, ring - 1)});
   for (int j = 0; j < 2 * n; ++j) mesh.axis_edges.push_back({disc.core(0, j), disc.core(0, j + 1)});
   for (int ring = 0; ring < rings; ++ring)
     mesh.axis_edges.push_back({disc.around(4 * n, ring), disc.around(4 * n, ring + 1)});
-  for (int k = 0; k < 4 * n; ++k)
+  for (int k = 0; k < last; ++k)
     mesh.contact_edges.push_back({disc.around(k, rings), disc.around(k + 1, rings)});
 }
 
@@ -132,18 +153,26 @@ Mesh generate_sphere_mesh(const SphereMeshRequest& request) {
   check(request);
   const Blocks blocks = blocks_for(request.cells);
   const Disc disc(blocks);
-  const double root = std::sqrt(request.grading), draw = (root - 1.0) / (root + 1.0);
+  const int count = 4 * blocks.core;
+  const bool half = request.part == SpherePart::lower_half;
+  double draw = draw_of(request.grading);
+  const int last = half ? corner_for(draw, count) : count;
+  if (half) draw = std::tan(0.5 * std::numbers::pi * (static_cast<double>(last) / count - 0.5));
   Mesh mesh;
   for (const Point& place : disc.places()) {
-    const Point drawn = (place - Point(0, draw)) / (1.0 + Point(0, draw) * place);
+    Point drawn = (place - Point(0, draw)) / (1.0 + Point(0, draw) * place);
+    if (half) drawn = fold(drawn);
     mesh.vertices.push_back({request.radius * drawn.real(), request.radius * (1.0 + drawn.imag())});
   }
   add_cells(mesh, disc, blocks);
-  add_boundary(mesh, disc, blocks);
+  add_boundary(mesh, disc, blocks, last);
   // The axis and the pole are constraints of the discretisation: exactly zero, not 1e-19.
   for (const auto& edge : mesh.axis_edges)
     for (const int vertex : edge) mesh.vertices[static_cast<std::size_t>(vertex)][0] = 0.0;
   mesh.vertices[static_cast<std::size_t>(disc.around(0, blocks.rings))][1] = 0.0;
+  for (int k = last; half && k <= count; ++k)
+    mesh.vertices[static_cast<std::size_t>(disc.around(k, blocks.rings))][1] = request.radius;
+  if (half) mesh.vertices[static_cast<std::size_t>(disc.around(last, blocks.rings))][0] = request.radius;
   return mesh;
 }
 

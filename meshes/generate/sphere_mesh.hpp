@@ -17,6 +17,10 @@ namespace rebound {
 /// then draws all cells towards the pole: it keeps angles, and the cells at the
 /// pole become g times smaller than those opposite, g the grading.
 ///
+/// The lower half (SpherePart::lower_half, z ≤ R, its plane in no group) is the
+/// image of that disc under the conformal map s = √(−i (1 + w)/(1 − w)),
+/// w → (s − 1)/(s + 1); the draw is the nearest that puts a vertex in its corner.
+///
 ///   cells = 2n² + 4nm,   m/n about 0.4
 ///
 /// Valid:   cells ≥ 20, 1 ≤ grading ≤ 200.

@@ -128,6 +128,31 @@ TEST(SphereMeshTest, RefusesRequestsOutOfRange) {
     EXPECT_EQ(key_refused({.radius = radius, .grading = bad}), "grading");
 }
 
+TEST(SphereMeshTest, LowerHalfEndsAtItsPlane) {
+  for (const double grading : {1.0, 30.0})
+    for (const int cells : {60, 1000}) {
+      const Mesh mesh = generate_sphere_mesh(
+          {.radius = 2.0, .cells = cells, .grading = grading, .part = SpherePart::lower_half});
+      EXPECT_GT(measure_quality(mesh).worst_scaled_jacobian, 0.45) << grading << " " << cells;
+      double highest = 0.0;
+      int in_plane = 0;
+      for (const auto& [r, z] : mesh.vertices) {
+        highest = std::max(highest, z);
+        in_plane += z == 2.0 ? 1 : 0;
+      }
+      EXPECT_EQ(highest, 2.0);
+      EXPECT_GE(in_plane, 3);
+      double reach = 0.0;
+      for (const auto& edge : mesh.contact_edges)
+        for (const int vertex : edge) {
+          const auto& [r, z] = mesh.vertices[vertex];
+          EXPECT_NEAR(std::hypot(r, z - 2.0), 2.0, 1e-12);
+          reach = std::max(reach, r);
+        }
+      EXPECT_EQ(reach, 2.0);  // up to the corner
+    }
+}
+
 TEST(SphereMeshTest, SizesFarFromOurs) {
   for (const double size : {1e-4, 50.0}) {
     const Mesh mesh = generate_sphere_mesh({.radius = size, .cells = 300});

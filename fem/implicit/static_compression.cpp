@@ -1,0 +1,216 @@
+#include "fem/implicit/static_compression.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "fem/implicit/equilibrium.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound::fem {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// An instant of the path.
+struct PathPoint {
+  double time = 0.0;    ///< [s]
+  double travel = 0.0;  ///< [m]
+};
+
+class StaticCompression {
+ public:
+  StaticCompression(const Mesh& mesh, const CompressionProblem& problem);
+  CompressionResult run(const RunControl& control);
+
+ private:
+  enum class Advance { done, left_the_plate, failed };
+  PathPoint path(int step) const;
+  Advance advance(const PathPoint& to, int cuts);
+  EquilibriumTask task_of(const PathPoint& to) const;
+  void accept(const PathPoint& to, Eigen::VectorXd u, const Eigen::VectorXd& reaction);
+  void record();
+  double share() const { return plan_.platens == 2 ? 0.5 : 1.0; }
+
+  const CompressionProblem& problem_;
+  const Compression& plan_;
+  QuadraticBody body_;
+  BodyForces forces_;
+  EquilibriumSearch search_;
+  HeldNodes held_;
+  std::vector<int> middle_;  ///< u_z of the middle plane
+  Eigen::VectorXd u_, slope_;
+  PathPoint now_;
+  double force_ = 0.0, work_ = 0.0;
+  long iterations_ = 0;
+  CompressionCurve curve_;
+  std::string failure_;
+};
+
+StaticCompression::StaticCompression(const Mesh& mesh, const CompressionProblem& problem)
+    : problem_(problem),
+      plan_(problem.compression),
+      body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
+      forces_(body_, problem.material, ContactInertia::kept),
+      search_(body_, forces_.empty_matrix()),
+      held_(body_) {
+  const double radius = problem.sphere.radius();
+  const bool half = std::abs(body_.height / radius - 1.0) < 1e-6;
+  if (half != (plan_.platens == 2))
+    throw Error(ExitCode::bad_input, "two platens take the lower half of a sphere, one the whole");
+  if (half)
+    for (int node = 0; node < body_.node_count(); ++node)
+      if (body_.position[node][1] > (1.0 - 1e-6) * radius) middle_.push_back(2 * node + 1);
+  u_.setZero(forces_.size());
+  // The first guess of all: the body as it is, moved onto the plate.
+  slope_.setZero(forces_.size());
+  for (int node = 0; node < body_.node_count(); ++node) slope_[2 * node + 1] = -share();
+}
+
+PathPoint StaticCompression::path(int step) const {
+  const double done = static_cast<double>(step) / plan_.steps;
+  const double time = plan_.duration * done;
+  switch (plan_.path) {
+    case CompressionPath::slow:
+      return {0.0, plan_.deflection * done};
+    case CompressionPath::triangle:
+      return {time, plan_.deflection * (1.0 - std::abs(1.0 - 2.0 * done))};
+    case CompressionPath::half_sine:
+      return {time, plan_.deflection * std::sin(std::numbers::pi * done)};
+  }
+  __builtin_unreachable();
+}
+
+EquilibriumTask StaticCompression::task_of(const PathPoint& to) const {
+  EquilibriumTask task;
+  task.linearise = [this](const Eigen::VectorXd& u, Eigen::VectorXd& residual, SystemMatrix& matrix) {
+    return forces_.linearise(u, {}, residual, matrix);
+  };
+  const Moduli& moduli = forces_.law().constants().instantaneous;
+  const double radius = problem_.sphere.radius();
+  const double approach = share() * std::max(to.travel, now_.travel);
+  task.force_scale = std::max(force_, 0.1 * moduli.shear * std::sqrt(radius * approach) * approach);
+  task.rounding = forces_.rounding();
+  task.needs_contact = true;
+  if (plan_.platens == 2) {
+    for (const int unknown : middle_) task.prescribed.emplace_back(unknown, -0.5 * to.travel);
+  } else {
+    task.load = forces_.axial_mass() / body_.mass;
+    task.travel = -to.travel;
+  }
+  return task;
+}
+
+StaticCompression::Advance StaticCompression::advance(const PathPoint& to, int cuts) {
+  const double step = to.time - now_.time;
+  forces_.law().set_step(plan_.path == CompressionPath::slow
+                             ? std::numeric_limits<double>::infinity()
+                             : step);
+  const HeldNodes held_before = held_;
+  Eigen::VectorXd u = u_ + (to.travel - now_.travel) * slope_;
+  Eigen::VectorXd reaction;
+  const auto found = search_.solve(task_of(to), u, held_, reaction);
+  iterations_ += found.iterations;
+  if (found.converged) {
+    accept(to, std::move(u), reaction);
+    return Advance::done;
+  }
+  if (found.contact_lost && to.travel < now_.travel) return Advance::left_the_plate;
+  held_ = held_before;
+  failure_ = found.failure;
+  if (cuts == 0) return Advance::failed;
+  const PathPoint half{0.5 * (now_.time + to.time), 0.5 * (now_.travel + to.travel)};
+  const Advance first = advance(half, cuts - 1);
+  return first == Advance::done ? advance(to, cuts - 1) : first;
+}
+
+void StaticCompression::accept(const PathPoint& to, Eigen::VectorXd u, const Eigen::VectorXd& reaction) {
+  forces_.accept(u);
+  double force = 0.0;
+  held_.each_held(u, [&](int unknown, double) { force += reaction[unknown]; });
+  work_ += 0.5 * (force_ + force) * (to.travel - now_.travel);
+  const double change = to.travel - now_.travel;
+  if (std::abs(change) > 1e-9 * plan_.deflection) slope_ = (u - u_) / change;
+  u_ = std::move(u);
+  force_ = force;
+  now_ = to;
+}
+
+void StaticCompression::record() {
+  if (plan_.path != CompressionPath::slow) curve_.time.push_back(now_.time);
+  curve_.deflection.push_back(now_.travel);
+  curve_.force.push_back(force_);
+  curve_.contact_radius.push_back(force_ > 0.0 ? held_.contact_radius(u_) : 0.0);
+  curve_.stored.push_back(forces_.stored_energy(u_) / share());
+  curve_.work.push_back(work_);
+}
+
+CompressionResult StaticCompression::run(const RunControl& control) {
+  CompressionResult result;
+  record();
+  bool on_the_plate = true;
+  for (int step = 1; step <= plan_.steps && on_the_plate && result.incomplete_because.empty(); ++step) {
+    if (control.interrupted && control.interrupted()) {
+      result.incomplete_because = "interrupted";
+      break;
+    }
+    const PathPoint to = path(step);
+    switch (advance(to, 6)) {
+      case Advance::done:
+        record();
+        break;
+      case Advance::left_the_plate:
+        // Somewhere within the step: the force of the sample is zero.
+        work_ += 0.5 * force_ * (to.travel - now_.travel);
+        now_ = to;
+        force_ = 0.0;
+        record();
+        on_the_plate = false;
+        break;
+      case Advance::failed:
+        result.incomplete_because = failure_;
+        break;
+    }
+    if (control.progress) control.progress(static_cast<double>(step) / plan_.steps);
+  }
+  result.curve = std::move(curve_);
+  result.cells = static_cast<int>(body_.cells.size());
+  result.vertices = body_.node_count();
+  result.iterations = iterations_;
+  return result;
+}
+
+void check_compression(const CompressionProblem& problem) {
+  const Compression& plan = problem.compression;
+  const auto refuse = [](const char* key, double value, const char* allowed) {
+    throw Error(ExitCode::bad_input,
+                std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " + allowed,
+                {.key = key, .value = std::to_string(value), .allowed = allowed});
+  };
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
+  if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
+  if (plan.platens != 1 && plan.platens != 2) refuse("compression.platens", plan.platens, "1 or 2");
+  const double largest = (plan.platens == 2 ? 1.2 : 0.6) * problem.sphere.radius();
+  if (!(plan.deflection > 0.0 && plan.deflection <= largest))
+    refuse("compression.deflection", plan.deflection, "> 0 m, at most 0.6 radii a plate");
+  if (plan.steps < 1 || plan.steps > 100000) refuse("compression.steps", plan.steps, "1 to 100000");
+  if (plan.path != CompressionPath::slow && !positive(plan.duration))
+    refuse("compression.duration", plan.duration, "> 0 s");
+}
+
+}  // namespace
+
+CompressionResult run_static_compression(const Mesh& mesh, const CompressionProblem& problem,
+                                         const RunControl& control) {
+  check_compression(problem);
+  const auto start = Clock::now();
+  CompressionResult result = StaticCompression(mesh, problem).run(control);
+  result.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace rebound::fem
