@@ -6,6 +6,18 @@
 
 namespace rebound {
 
+namespace {
+
+/// An optional number that stays unwritten at its default.
+void number_unless(Visitor& visit, double fallback, Key key, double& member) {
+  key.presence = Presence::optional;
+  auto value = member == fallback ? std::nullopt : std::optional(member);
+  visit.number(key, value);
+  member = value.value_or(fallback);
+}
+
+}  // namespace
+
 void describe(Visitor& visit, PronyBranch& branch) {
   visit.number({.name = "ratio",
                 .sentence = "With an instantaneous modulus the share of it that relaxes (shares "
@@ -22,6 +34,31 @@ void describe(Visitor& visit, PronyBranch& branch) {
                                      "alone (bulk modulus constant).",
                          .presence = Presence::optional},
                         {{"all", Relaxes::all}, {"deviator", Relaxes::deviator}}, branch.relaxes);
+  const PronyBranch plain;
+  number_unless(visit, plain.rate_exponent,
+                {.name = "rate_exponent",
+                 .sentence = "Flow strain grows as rate to this power; 1 when absent. Any other acts "
+                             "by the multiplicative split; toward 0 the branch yields at "
+                             "reference_strain and stays bent.",
+                 .range = above_up_to(0.0, 10.0)},
+                branch.rate_exponent);
+  number_unless(visit, plain.reference_strain,
+                {.name = "reference_strain",
+                 .sentence = "Elastic strain at which relaxation_time holds when rate_exponent is "
+                             "not 1; 0.1 when absent.",
+                 .range = above(0.0)},
+                branch.reference_strain);
+}
+
+void describe(Visitor& visit, RadialLayer& layer) {
+  visit.number({.name = "from",
+                .sentence = "Distance from the centre over the radius where the layer begins.",
+                .range = {.lowest = 0.0, .highest = 1.0, .highest_allowed = false}},
+               layer.from);
+  visit.number({.name = "modulus_factor",
+                .sentence = "All moduli of the layer over those of the material.",
+                .range = above(0.0)},
+               layer.modulus_factor);
 }
 
 namespace {
@@ -87,6 +124,39 @@ void describe_shape(Visitor& visit, Material& material) {
   });
 }
 
+void describe_inelastic(Visitor& visit, Material& material) {
+  number_unless(visit, 0.0,
+                {.name = "retardation_time",
+                 .sentence = "Kelvin-Voigt viscous stress: this time times the instantaneous moduli "
+                             "times the rate of deformation; absent: none.",
+                 .unit = "us",
+                 .range = at_least(0.0)},
+                material.retardation_time);
+  StrainDependence& strain = material.strain;
+  number_unless(visit, 0.0,
+                {.name = "strain_stiffening",
+                 .sentence = "a of the factor 1 + a e on the elastic stress, e = sqrt(2 W/E) the "
+                             "effective strain of a point; absent: 0.",
+                 .range = at_least(0.0)},
+                strain.stiffening);
+  number_unless(visit, 0.0,
+                {.name = "strain_softening",
+                 .sentence = "b of the factor 1 - b (1 - exp(-20 e)): a plateau; absent: 0.",
+                 .range = {.lowest = 0.0, .highest = 1.0, .highest_allowed = false}},
+                strain.softening);
+  number_unless(visit, 0.0,
+                {.name = "densification",
+                 .sentence = "c of the factor 1 + c <e - 1/4>^2; absent: 0.",
+                 .range = at_least(0.0)},
+                strain.densification);
+  number_unless(visit, 0.0,
+                {.name = "mullins",
+                 .sentence = "d of the factor 1 - d (1 - e/e_max) below the largest strain of a "
+                             "point so far; absent: 0.",
+                 .range = from_to(0.0, 1.0)},
+                strain.mullins);
+}
+
 }  // namespace
 
 void describe(Visitor& visit, Material& material) {
@@ -112,18 +182,24 @@ void describe(Visitor& visit, Material& material) {
        .presence = Presence::optional},
       {{"instantaneous", ModulusBasis::instantaneous}, {"long-term", ModulusBasis::long_term}},
       material.modulus);
-  std::string relaxation = "convolution";
-  visit.text({.name = "relaxation",
-              .sentence = "How branches act: convolution of the second Piola-Kirchhoff stress.",
-              .presence = Presence::optional,
-              .allowed = {"convolution"},
-              .later = {"multiplicative"}},
-             relaxation);
+  visit.choice<Relaxation>(
+      {.name = "relaxation",
+       .sentence = "How branches act: convolution of the second Piola-Kirchhoff stress, as common "
+                   "codes do, not proved dissipative at large strain when all of the stress "
+                   "relaxes; or a multiplicative split with an energy and a flow rule, which is.",
+       .presence = Presence::optional},
+      {{"convolution", Relaxation::convolution}, {"multiplicative", Relaxation::multiplicative}},
+      material.relaxation);
+  describe_inelastic(visit, material);
   describe_shape(visit, material);
   visit.list({.name = "branch",
               .sentence = "One Prony branch; repeat for more.",
               .presence = Presence::optional},
              material.branches);
+  visit.list({.name = "layer",
+              .sentence = "A radial layer, from a distance outward; the outermost last.",
+              .presence = Presence::optional},
+             material.layers);
 }
 
 void describe(Visitor& visit, FemControls& controls) {

@@ -52,6 +52,23 @@ void check_shares(const Document& document, const Material& material) {
   }
 }
 
+/// A factor on the stress has an energy only where both moduli relax alike;
+/// layers follow one another outward.
+void check_inelastic(const Document& document, const Material& material) {
+  if (material.strain != StrainDependence{})
+    for (std::size_t i = 0; i < material.branches.size(); ++i)
+      if (material.branches[i].relaxes == Relaxes::deviator)
+        throw document.error_at(fmt::format("model.material.branch[{}].relaxes", i),
+                                "factors of strain on the elastic stress have an energy only where "
+                                "every branch relaxes all of the stress",
+                                "all");
+  for (std::size_t i = 1; i < material.layers.size(); ++i)
+    if (material.layers[i].from <= material.layers[i - 1].from)
+      throw document.error_at(fmt::format("model.material.layer[{}].from", i),
+                              "layers stand from the inside outward",
+                              fmt::format("above {:.6g}", material.layers[i - 1].from));
+}
+
 /// What the terms of an energy must be together; the solver holds the same.
 void check_terms(const Document& document, const Material& material) {
   const bool foam = material.elastic == ElasticModel::hyperfoam;
@@ -146,6 +163,7 @@ void check_material(const Document& document, const Material& material) {
                             "-1 < value <= 0.45");
   check_shares(document, material);
   check_terms(document, material);
+  check_inelastic(document, material);
 }
 
 void check_density(const Document& document, const Sphere& sphere) {

@@ -10,7 +10,7 @@ namespace {
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 /// Small-strain stiffness ∫ BᵀDB dV of one cell, displacements (r, z) by node.
-Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli) {
+Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli, const double* factors) {
   const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
   Eigen::Matrix4d elasticity = Eigen::Matrix4d::Zero();  // rr, zz, tt, 2 rz
   elasticity.topLeftCorner<3, 3>().setConstant(lame);
@@ -27,20 +27,22 @@ Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli) {
       b(3, 2 * i) = gradient[1];
       b(3, 2 * i + 1) = gradient[0];
     }
-    stiffness += cell.weight[q] * b.transpose() * elasticity * b;
+    stiffness += (factors ? factors[q] : 1.0) * cell.weight[q] * b.transpose() * elasticity * b;
   }
   return stiffness;
 }
 
 }  // namespace
 
-std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli) {
+std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli,
+                                     const PointFactors& factors) {
   std::vector<char> on_axis(body.position.size(), 0);
   for (const int node : body.axis_nodes) on_axis[node] = 1;
   std::vector<double> frequencies;
   frequencies.reserve(body.cells.size());
-  for (const auto& cell : body.cells) {
-    Matrix8 matrix = stiffness_of(cell, moduli);
+  for (std::size_t c = 0; c < body.cells.size(); ++c) {
+    const CellGeometry& cell = body.cells[c];
+    Matrix8 matrix = stiffness_of(cell, moduli, factors.empty() ? nullptr : factors[c].data());
     Eigen::Matrix<double, 8, 1> scale;
     for (int i = 0; i < nodes_per_cell; ++i) {
       double mass = 0.0;

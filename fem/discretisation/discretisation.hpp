@@ -53,6 +53,9 @@ Discretisation discretise(const Mesh& mesh, double mass);
 
 /// Largest eigenfrequency squared of each cell alone, small strain, lumped
 /// mass: a bound of the assembled one (Irons & Treharne 1971) [1/s²].
-std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli);
+/// `factors` of the moduli by cell and point; empty: one everywhere.
+using PointFactors = std::vector<std::array<double, points_per_cell>>;
+std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli,
+                                     const PointFactors& factors = {});
 
 }  // namespace rebound::fem

@@ -4,6 +4,7 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "fem/materials/with_elastic.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -43,7 +44,13 @@ Symmetric<double> tensor_of(const Eigen::Vector4d& v) { return {v[0], v[1], v[2]
 }  // namespace
 
 PointLaw::PointLaw(const Material& material)
-    : constants_(viscoelastic_constants(material)), updates_(constants_.branches.size()) {}
+    : constants_(viscoelastic_constants(material)), updates_(constants_.branches.size()) {
+  if (constants_.inelastic.acts || !constants_.layers.empty())
+    throw Error(ExitCode::bad_input,
+                "the implicit scheme has elastic laws and branches by convolution alone: no "
+                "multiplicative branches, viscous stress, factors of strain or layers",
+                {.key = "model.scheme", .value = "implicit", .allowed = "explicit"});
+}
 
 void PointLaw::set_step(double step) {
   for (std::size_t i = 0; i < updates_.size(); ++i) {

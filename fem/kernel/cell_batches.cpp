@@ -1,5 +1,7 @@
 #include "fem/kernel/cell_batches.hpp"
 
+#include "fem/discretisation/layer_factors.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -50,7 +52,8 @@ std::vector<int> deal_cells(const Discretisation& body, int width) {
 CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants& material,
                          int width)
     : width_(width),
-      cell_frequency_squared_(cell_frequencies(body, material.instantaneous)) {
+      point_factors_(layer_factors(body, material.layers)),
+      cell_frequency_squared_(cell_frequencies(body, material.instantaneous, point_factors_)) {
   const std::vector<int> order = deal_cells(body, width);
   const int unused_node = body.node_count();
   nodes_.assign(order.size() * nodes_per_cell, unused_node);
@@ -74,7 +77,8 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
         at[(nodes_per_cell + i) * width] = cell.gradient[q][i][1];
       }
       at[8 * width] = 1.0 / cell.radius[q];
-      at[9 * width] = cell.weight[q];
+      // Stress and energy of a point are in proportion to its weight: so are its moduli.
+      at[9 * width] = cell.weight[q] * (point_factors_.empty() ? 1.0 : point_factors_[order[slot]][q]);
     }
   }
 
@@ -87,11 +91,14 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
   arrays_.long_term_deviatoric = material.long_term_deviatoric;
   arrays_.long_term_volumetric = material.long_term_volumetric;
   arrays_.branches = static_cast<int>(material.branches.size());
+  arrays_.inelastic = material.inelastic;
+  arrays_.history_per_point =
+      arrays_.branches * history_stride + (material.inelastic.remembers_strain ? 1 : 0);
 }
 
 std::vector<double> CellBatches::make_history() const {
   return std::vector<double>(static_cast<std::size_t>(arrays_.batches) * points_per_cell *
-                                 arrays_.branches * history_stride * width_,
+                                 arrays_.history_per_point * width_,
                              0.0);
 }
 

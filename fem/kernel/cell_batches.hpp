@@ -24,6 +24,7 @@ class CellBatches {
 
  private:
   int width_;
+  PointFactors point_factors_;  ///< of radial layers
   std::vector<double> cell_frequency_squared_;
   std::vector<int> nodes_;
   std::vector<double> geometry_;

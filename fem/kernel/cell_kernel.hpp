@@ -3,6 +3,8 @@
 #include <string>
 
 #include "fem/materials/elastic_constants.hpp"
+#include "fem/materials/inelastic_constants.hpp"
+#include "fem/materials/multiplicative_branch.hpp"
 
 /// Interface between the schemes and the vectorised cell kernels: raw arrays
 /// only, so that a kernel file compiled for a wide instruction set shares no
@@ -31,6 +33,10 @@ struct BranchStep {
   double decay_next = 0.0;  ///< a of the step that follows [-]
   double gain = 0.0;        ///< b of the step that led here [-]
   double gain_next = 0.0;   ///< b of the step that follows [-]
+  bool multiplicative = false;  ///< then the members above are not used, those below are
+  Moduli moduli;                ///< μ_b, K_b [Pa]
+  BranchFlow flow;
+  double growth_share = 0.0;    ///< what the branch's growth counts for in the cell's
 };
 
 /// Everything a kernel reads, structure of arrays in batches of `width` cells.
@@ -44,11 +50,19 @@ struct CellArrays {
   double long_term_deviatoric = 1.0;
   double long_term_volumetric = 1.0;
   int branches = 0;
+  int history_per_point = 0;        ///< doubles per point and lane
+  InelasticConstants inelastic;
+};
+
+struct CellMotion {
+  const double* displacement = nullptr;  ///< [node][2]
+  const double* velocity = nullptr;      ///< [node][2], half a step back
 };
 
 struct CellSummary {
   double smallest_jacobian = 0.0;            ///< over all integration points
-  double largest_frequency_squared = 0.0;    ///< bound over all cells [1/s²]
+  double largest_frequency_squared = 0.0;    ///< bound over all cells [1/s²]; with damping that
+                                             ///< of the undamped motion with the same stable step
 };
 
 /// The functions of one instruction set. Displacement and force are
@@ -57,10 +71,11 @@ struct CellKernel {
   const char* name;
   int width;
   /// Adds the internal forces of all cells to `force` and advances `history`.
-  CellSummary (*internal_forces)(const CellArrays&, const BranchStep*, const double* displacement,
+  /// Of `motion.velocity` only a viscous stress asks.
+  CellSummary (*internal_forces)(const CellArrays&, const BranchStep*, const CellMotion& motion,
                                  double* history, double* force);
-  /// Hyperelastic energy of the long-term state [J].
-  double (*stored_energy)(const CellArrays&, const double* displacement);
+  /// Hyperelastic energy of the long-term state, after any softening [J].
+  double (*stored_energy)(const CellArrays&, const double* displacement, const double* history);
 };
 
 /// The widest kernel that this processor runs. The environment variable

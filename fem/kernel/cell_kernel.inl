@@ -1,8 +1,12 @@
 // The cell kernels, written once over the vector width. Included by one file
 // per instruction set, which defines REBOUND_KERNEL_WIDTH, _NAME and _SYMBOL.
 
-#include "fem/kernel/cell_kernel.hpp"
+// First, so that templates over the scalar find log, exp and sqrt of vectors.
 #include "fem/kernel/simd.hpp"
+
+#include "fem/kernel/cell_kernel.hpp"
+#include "fem/materials/multiplicative_branch.hpp"
+#include "fem/materials/viscous_stress.hpp"
 #include "fem/materials/with_elastic.hpp"
 
 namespace rebound::fem {
@@ -213,16 +217,21 @@ double stored_energy_of(const Law& elastic, const CellArrays& cells, const doubl
   return total;
 }
 
+#include "fem/kernel/inelastic_kernel.inl"
+
 CellSummary internal_forces(const CellArrays& cells, const BranchStep* branches,
-                            const double* displacement, double* history, double* force) {
+                            const CellMotion& motion, double* history, double* force) {
   return with_elastic(cells.elastic, [&](const auto& elastic) {
-    return internal_forces_of(elastic, cells, branches, displacement, history, force);
+    return cells.inelastic.acts
+               ? inelastic_forces_of(elastic, cells, branches, motion, history, force)
+               : internal_forces_of(elastic, cells, branches, motion.displacement, history, force);
   });
 }
 
-double stored_energy(const CellArrays& cells, const double* displacement) {
+double stored_energy(const CellArrays& cells, const double* displacement, const double* history) {
   return with_elastic(cells.elastic, [&](const auto& elastic) {
-    return stored_energy_of(elastic, cells, displacement);
+    return cells.inelastic.factor_acts ? factored_energy_of(elastic, cells, displacement, history)
+                                       : stored_energy_of(elastic, cells, displacement);
   });
 }
 

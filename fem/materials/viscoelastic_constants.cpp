@@ -19,6 +19,7 @@ void require(bool fine, const char* key, double value, const char* allowed) {
 }
 
 bool positive(double value) { return value > 0 && std::isfinite(value); }
+bool zero_or_positive(double value) { return value == 0 || positive(value); }
 
 bool has_terms(const Material& material) {
   return material.elastic == ElasticModel::ogden || material.elastic == ElasticModel::hyperfoam;
@@ -72,12 +73,41 @@ StretchTerms terms_of(const Material& material, const Moduli& moduli, const Modu
   return terms;
 }
 
+void check_inelastic(const Material& material) {
+  require(zero_or_positive(material.retardation_time), "retardation_time",
+          material.retardation_time, ">= 0 s");
+  const StrainDependence& k = material.strain;
+  require(zero_or_positive(k.stiffening), "strain_stiffening", k.stiffening, ">= 0");
+  require(k.softening >= 0 && k.softening < 1, "strain_softening", k.softening, "[0, 1)");
+  require(zero_or_positive(k.densification), "densification", k.densification, ">= 0");
+  require(k.mullins >= 0 && k.mullins <= 1, "mullins", k.mullins, "[0, 1]");
+  double inside = -1.0;
+  for (const auto& layer : material.layers) {
+    require(layer.from >= 0 && layer.from < 1 && layer.from > inside, "layer.from", layer.from,
+            "[0, 1), each above the one before");
+    require(positive(layer.modulus_factor), "layer.modulus_factor", layer.modulus_factor, "> 0");
+    inside = layer.from;
+  }
+  for (const auto& branch : material.branches) {
+    require(branch.rate_exponent > 0 && branch.rate_exponent <= 10, "branch.rate_exponent",
+            branch.rate_exponent, "(0, 10]");
+    require(positive(branch.reference_strain), "branch.reference_strain", branch.reference_strain,
+            "> 0");
+    if (k != StrainDependence{} && branch.relaxes == Relaxes::deviator)
+      throw Error(ExitCode::bad_input,
+                  "a factor on the elastic stress has an energy only where every branch relaxes all "
+                  "of the stress",
+                  {.key = "model.material.branch.relaxes", .value = "deviator", .allowed = "all"});
+  }
+}
+
 void check(const Material& material) {
   require(positive(material.youngs_modulus), "youngs_modulus", material.youngs_modulus, "> 0 Pa");
   require(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio,
           "poisson_ratio", material.poisson_ratio,
           "(-1, 0.45]; fully integrated cells lock above");
   check_terms(material);
+  check_inelastic(material);
   double sum = 0.0;
   for (const auto& branch : material.branches) {
     require(positive(branch.ratio), "branch.ratio", branch.ratio, "> 0");
@@ -86,6 +116,30 @@ void check(const Material& material) {
   }
   if (material.modulus == ModulusBasis::instantaneous)
     require(sum < 1, "branch.ratio", sum, "sum of shares of the instantaneous modulus below 1");
+}
+
+InelasticConstants inelastic_of(const Material& material, const ViscoelasticConstants& constants) {
+  const StrainDependence& k = material.strain;
+  const Moduli& m = constants.instantaneous;
+  InelasticConstants inelastic{
+      .factor_acts = k != StrainDependence{},
+      .remembers_strain = k.mullins > 0.0,
+      .factor = {.stiffening = k.stiffening,
+                 .softening = k.softening,
+                 .densification = k.densification,
+                 .mullins = k.mullins,
+                 .youngs_modulus = 9.0 * m.bulk * m.shear / (3.0 * m.bulk + m.shear)},
+      .retardation_time = material.retardation_time};
+  for (const auto& branch : constants.branches) {
+    if (!branch.multiplicative) continue;
+    inelastic.has_multiplicative = true;
+    // A branch of the deviator takes nothing off the bulk modulus: the bound
+    // of the law then stays whole.
+    if (branch.volumetric_share > 0.0) inelastic.law_growth_share -= branch.deviatoric_share;
+  }
+  inelastic.acts = inelastic.factor_acts || inelastic.has_multiplicative ||
+                   inelastic.retardation_time > 0.0;
+  return inelastic;
 }
 
 }  // namespace
@@ -107,9 +161,14 @@ ViscoelasticConstants viscoelastic_constants(const Material& material) {
   constants.instantaneous = {given.shear * scale_deviatoric, given.bulk * scale_volumetric};
   for (const auto& branch : material.branches) {
     const bool all = branch.relaxes == Relaxes::all;
-    constants.branches.push_back({branch.ratio / scale_deviatoric,
-                                  all ? branch.ratio / scale_volumetric : 0.0,
-                                  branch.relaxation_time});
+    constants.branches.push_back(
+        {.deviatoric_share = branch.ratio / scale_deviatoric,
+         .volumetric_share = all ? branch.ratio / scale_volumetric : 0.0,
+         .relaxation_time = branch.relaxation_time,
+         .multiplicative = material.relaxation == Relaxation::multiplicative ||
+                           branch.rate_exponent != 1.0,
+         .rate_exponent = branch.rate_exponent,
+         .reference_strain = branch.reference_strain});
   }
   constants.long_term_deviatoric = 1.0 - ratio_deviatoric / scale_deviatoric;
   constants.long_term_volumetric = 1.0 - ratio_volumetric / scale_volumetric;
@@ -117,6 +176,8 @@ ViscoelasticConstants viscoelastic_constants(const Material& material) {
                        .moduli = constants.instantaneous,
                        .second_share = material.second_share,
                        .terms = terms_of(material, constants.instantaneous, given)};
+  constants.inelastic = inelastic_of(material, constants);
+  constants.layers = material.layers;
   return constants;
 }
 

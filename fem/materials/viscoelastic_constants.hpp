@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fem/materials/elastic_constants.hpp"
+#include "fem/materials/inelastic_constants.hpp"
 #include "fem/materials/moduli.hpp"
 #include "lumped/problem/material.hpp"
 
@@ -14,6 +15,9 @@ struct BranchConstants {
   double deviatoric_share = 0.0;   ///< g_d [-]
   double volumetric_share = 0.0;   ///< g_v [-], zero when the branch relaxes the deviator alone
   double relaxation_time = 0.0;    ///< τ [s]
+  bool multiplicative = false;     ///< split F = Fₑ Fᵥ in place of the convolution
+  double rate_exponent = 1.0;      ///< m [-], multiplicative branches alone
+  double reference_strain = 0.1;   ///< q₀ [-]
 };
 
 /// Material constants in the one form the kernels use.
@@ -26,6 +30,13 @@ struct ViscoelasticConstants {
   double long_term_volumetric = 1.0;  ///< c_v [-]
   std::vector<BranchConstants> branches;
   ElasticConstants elastic;           ///< the law, with the instantaneous moduli
+  InelasticConstants inelastic;
+  std::vector<RadialLayer> layers;
+
+  /// Whether energy can be lost or kept elsewhere than in the elastic law.
+  bool dissipates() const {
+    return !branches.empty() || inelastic.retardation_time > 0.0 || inelastic.factor.mullins > 0.0;
+  }
 };
 
 /// Largest Poisson ratio at which the fully integrated bilinear cell is
@@ -44,7 +55,9 @@ inline constexpr double largest_poisson_ratio = 0.45;
 /// to the Poisson ratio of the material within 0.002, and share what is left.
 /// Errors: Error(bad_input) for E ≤ 0, ν outside (−1, 0.45], τ ≤ 0,
 ///         ratio ≤ 0, instantaneous shares that sum to 1 or more, terms that
-///         are missing, too many or out of range, or that contradict ν.
+///         are missing, too many or out of range, or that contradict ν, strain
+///         factors beside branches that relax the deviator alone (no energy
+///         belongs to that), layers out of order.
 ViscoelasticConstants viscoelastic_constants(const Material& material);
 
 }  // namespace rebound::fem

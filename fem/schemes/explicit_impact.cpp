@@ -124,10 +124,10 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const PlateSt
   const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
   book_.kinetic_centre_of_mass = 0.5 * mass * centre_speed * centre_speed;
   book_.kinetic_vibration = kinetic - book_.kinetic_centre_of_mass;
-  book_.stored = kernel_.stored_energy(arrays_, motion_.displacement.data());
-  // An elastic body has no branches: its internal work is then not used, and
+  book_.stored = kernel_.stored_energy(arrays_, motion_.displacement.data(), history_.data());
+  // An elastic body loses nothing inside: its internal work is then not used, and
   // the balance below holds the stress against the energy it derives from.
-  book_.branches = material_.branches.empty() ? 0.0 : internal_work_ - book_.stored;
+  book_.branches = material_.dissipates() ? internal_work_ - book_.stored : 0.0;
   book_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
   book_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
   const PlateState plate = plate_->state();
@@ -176,8 +176,10 @@ void ExplicitImpact::choose_next_step() {
 
 void ExplicitImpact::step() {
   std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
-  summary_ = kernel_.internal_forces(arrays_, prony_.data(), motion_.displacement.data(),
-                                     history_.data(), motion_.force.data());
+  summary_ = kernel_.internal_forces(
+      arrays_, prony_.data(),
+      {.displacement = motion_.displacement.data(), .velocity = motion_.velocity.data()},
+      history_.data(), motion_.force.data());
   const bool sampling = recorder_.next_sample() < time_ + step_;
   const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
 

@@ -6,6 +6,22 @@
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
+namespace {
+
+void describe_flow(const BranchConstants& branch, const Moduli& instantaneous, BranchStep& step) {
+  const bool all = branch.volumetric_share > 0.0;
+  step.multiplicative = true;
+  step.moduli = {branch.deviatoric_share * instantaneous.shear,
+                 branch.volumetric_share * instantaneous.bulk};
+  step.flow.power = 1.0 / branch.rate_exponent - 1.0;
+  step.flow.reference_strain = branch.reference_strain;
+  // Of the deviator alone the stiffest motion is a share of 2μ, the cell's 2μ + λ.
+  const double lame = instantaneous.bulk - 2.0 / 3.0 * instantaneous.shear;
+  step.growth_share = branch.deviatoric_share;
+  if (!all && lame > 0.0) step.growth_share *= 2.0 * instantaneous.shear / (2.0 * instantaneous.shear + lame);
+}
+
+}  // namespace
 
 PronySteps::PronySteps(const ViscoelasticConstants& material, double first_step)
     : branches_(material.branches) {
@@ -17,6 +33,7 @@ PronySteps::PronySteps(const ViscoelasticConstants& material, double first_step)
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].deviatoric_share = branches_[i].deviatoric_share;
     steps_[i].volumetric_share = branches_[i].volumetric_share;
+    if (branches_[i].multiplicative) describe_flow(branches_[i], material.instantaneous, steps_[i]);
   }
   advance(first_step);
 }
@@ -25,8 +42,13 @@ void PronySteps::advance(double next) {
   const bool same = next == step_;
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].gain = steps_[i].gain_next;
+    BranchFlow& flow = steps_[i].flow;
+    flow.before = flow.next;
+    flow.decay_before = flow.decay_next;
     if (same) continue;
     const double x = next / branches_[i].relaxation_time;
+    flow.next = 0.5 * x;
+    flow.decay_next = std::exp(-0.5 * x);
     steps_[i].decay_next = std::exp(-x);
     steps_[i].gain_next = -std::expm1(-x) / x;
   }

@@ -42,12 +42,35 @@ struct PronyBranch {
   double ratio = 0.0;            ///< [-]
   double relaxation_time = 0.0;  ///< [s]
   Relaxes relaxes = Relaxes::all;
+  double rate_exponent = 1.0;     ///< m: flow strain ∝ rate^m; other than 1 by the multiplicative split [-]
+  double reference_strain = 0.1;  ///< elastic strain at which relaxation_time holds when m is not 1 [-]
 
   friend bool operator==(const PronyBranch&, const PronyBranch&) = default;
 };
 
-/// Isotropic viscoelastic solid: hyperelastic, with Prony branches acting on
-/// the second Piola–Kirchhoff stress by convolution.
+/// How branches act: by convolution of the second Piola–Kirchhoff stress, or by a
+/// split F = Fₑ Fᵥ with an energy and a flow rule of their own.
+enum class Relaxation { convolution, multiplicative };
+
+/// Everything within a distance of the centre, and what lies outside it.
+struct RadialLayer {
+  double from = 0.8;            ///< r/R where the layer begins [-]
+  double modulus_factor = 1.0;  ///< all its moduli over those of the material [-]
+
+  friend bool operator==(const RadialLayer&, const RadialLayer&) = default;
+};
+
+/// Factors that strain puts on the elastic stress; see fem/materials/strain_factor.hpp.
+struct StrainDependence {
+  double stiffening = 0.0;     ///< a [-]
+  double softening = 0.0;      ///< b, toward a plateau [-]
+  double densification = 0.0;  ///< c [-]
+  double mullins = 0.0;        ///< d, unloading below first loading [-]
+
+  friend bool operator==(const StrainDependence&, const StrainDependence&) = default;
+};
+
+/// Isotropic viscoelastic solid: hyperelastic, with Prony branches.
 struct Material {
   ElasticModel elastic = ElasticModel::neo_hookean;
   double youngs_modulus = 0.0;  ///< [Pa]
@@ -56,6 +79,10 @@ struct Material {
   std::vector<PronyBranch> branches;
   double second_share = 0.0;       ///< C₀₁/(C₁₀ + C₀₁) of Mooney–Rivlin [-]
   std::vector<StretchTerm> terms;  ///< of Ogden and hyperfoam
+  Relaxation relaxation = Relaxation::convolution;
+  double retardation_time = 0.0;   ///< Kelvin–Voigt viscous stress over the instantaneous moduli [s]
+  StrainDependence strain;
+  std::vector<RadialLayer> layers; ///< the last that begins inside a point's radius holds
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -104,7 +104,8 @@ void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branc
   std::vector<double> force(u.size(), 0.0);
   const double best = fastest(state, [&] {
     return seconds_of([&] {
-      benchmark::DoNotOptimize(kernel->internal_forces(cells.arrays(), prony.data(), u.data(),
+      benchmark::DoNotOptimize(kernel->internal_forces(cells.arrays(), prony.data(),
+                                                       {.displacement = u.data(), .velocity = u.data()},
                                                        history.data(), force.data()));
     });
   });

@@ -102,15 +102,17 @@ class KernelCase {
   const fem::CellSummary& summary() const { return summary_; }
 
   /// Internal forces; with branches the body moves on by one step.
-  const std::vector<double>& force(const std::vector<double>& displacement) {
+  const std::vector<double>& force(const std::vector<double>& displacement,
+                                   const double* velocity = nullptr) {
     std::fill(force_.begin(), force_.end(), 0.0);
-    summary_ = kernel_.internal_forces(cells_.arrays(), prony_.data(), displacement.data(),
+    summary_ = kernel_.internal_forces(cells_.arrays(), prony_.data(),
+                                       {.displacement = displacement.data(), .velocity = velocity},
                                        history_.data(), force_.data());
     prony_.advance(step_);
     return force_;
   }
   double energy(const std::vector<double>& displacement) const {
-    return kernel_.stored_energy(cells_.arrays(), displacement.data());
+    return kernel_.stored_energy(cells_.arrays(), displacement.data(), history_.data());
   }
 
  private:

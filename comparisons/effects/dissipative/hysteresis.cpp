@@ -23,6 +23,10 @@ Effect hysteresis_effect() {
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.memory.hysteresis = choice.size;
           },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.material.strain.mullins += choice.size;
+          },
   };
 }
 

@@ -1,4 +1,5 @@
 #include "comparisons/effects/declarations.hpp"
+#include "comparisons/effects/dissipative/prony_branch.hpp"
 
 namespace rebound {
 
@@ -22,6 +23,17 @@ Effect permanent_set_effect() {
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.memory.permanent_set = choice.size;
+          },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            // A network beside the material that yields at an elastic strain of
+            // 0.03 and 300/s, nearly whatever the rate.
+            add_prony_branch(problem.material,
+                             {.ratio = choice.size / (1.0 - choice.size),
+                              .relaxation_time = 1e-4,
+                              .relaxes = Relaxes::all,
+                              .rate_exponent = 0.05,
+                              .reference_strain = 0.03});
           },
   };
 }

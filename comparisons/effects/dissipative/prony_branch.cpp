@@ -28,8 +28,8 @@ void rescale_shares(Material& material, const PronyBranch& branch) {
   material.branches.back().ratio = added / material.youngs_modulus;
 }
 
-/// Describes the same material by its long-term state; branches relax the deviator.
-void describe_as_long_term(Material& material) {
+/// Branches relax the deviator.
+void deviator_as_long_term(Material& material) {
   const double nu = material.poisson_ratio;
   const double bulk = material.youngs_modulus / (3.0 * (1.0 - 2.0 * nu));
   const double long_term_share = 1.0 - sum_of_ratios(material);
@@ -42,16 +42,27 @@ void describe_as_long_term(Material& material) {
 
 }  // namespace
 
-void add_prony_branch(Material& material, const PronyBranch& branch) {
-  if (material.modulus == ModulusBasis::instantaneous) {
-    if (all_relax(material, Relaxes::all)) return rescale_shares(material, branch);
-    if (!all_relax(material, Relaxes::deviator))
-      throw Error(ExitCode::bad_input,
-                  "branches of the instantaneous modulus relax partly all of the stress and partly "
-                  "the deviator, so that its shares cannot take a further branch; describe the "
-                  "material by its long-term modulus");
-    describe_as_long_term(material);
+void describe_as_long_term(Material& material) {
+  if (material.modulus == ModulusBasis::long_term) return;
+  if (all_relax(material, Relaxes::all)) {
+    const double left = 1.0 - sum_of_ratios(material);
+    material.youngs_modulus *= left;
+    for (PronyBranch& branch : material.branches) branch.ratio /= left;
+    material.modulus = ModulusBasis::long_term;
+    return;
   }
+  if (!all_relax(material, Relaxes::deviator))
+    throw Error(ExitCode::bad_input,
+                "branches of the instantaneous modulus relax partly all of the stress and partly "
+                "the deviator, so that its shares cannot take a further branch; describe the "
+                "material by its long-term modulus");
+  deviator_as_long_term(material);
+}
+
+void add_prony_branch(Material& material, const PronyBranch& branch) {
+  if (material.modulus == ModulusBasis::instantaneous && all_relax(material, Relaxes::all))
+    return rescale_shares(material, branch);
+  describe_as_long_term(material);
   material.branches.push_back(branch);
 }
 

@@ -17,4 +17,8 @@ namespace rebound {
 ///         cannot say the same of both moduli; describe it as long-term.
 void add_prony_branch(Material& material, const PronyBranch& branch);
 
+/// Describes the same material by its long-term state.
+/// Errors: as add_prony_branch.
+void describe_as_long_term(Material& material);
+
 }  // namespace rebound

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "comparisons/effects/declarations.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -23,6 +26,18 @@ Effect velocity_exponent_effect() {
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.damping.velocity_exponent = choice.size;
+          },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            if (problem.material.branches.empty())
+              throw Error(ExitCode::bad_input,
+                          "the material has no branch whose damping could depend on the rate");
+            constexpr double reference_speed = 10.0;
+            const double rate = reference_speed / problem.sphere.diameter;
+            for (PronyBranch& branch : problem.material.branches) {
+              branch.rate_exponent = 1.0 + choice.size;
+              branch.reference_strain = std::min(0.2, rate * branch.relaxation_time);
+            }
           },
   };
 }

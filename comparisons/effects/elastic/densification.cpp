@@ -24,6 +24,10 @@ Effect densification_effect() {
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.elastic.densification = choice.size;
           },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.material.strain.densification += choice.size;
+          },
   };
 }
 

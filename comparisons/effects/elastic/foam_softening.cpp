@@ -25,6 +25,10 @@ Effect foam_softening_effect() {
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.elastic.softening = choice.size;
           },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.material.strain.softening += choice.size;
+          },
   };
 }
 

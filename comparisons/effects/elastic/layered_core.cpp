@@ -1,6 +1,19 @@
 #include "comparisons/effects/declarations.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
+namespace {
+
+/// Beyond layers that are there already.
+void add_outer_layer(Material& material, const RadialLayer& layer) {
+  if (!material.layers.empty() && material.layers.back().from >= layer.from)
+    throw Error(ExitCode::bad_input,
+                "the material has a layer beyond 0.8 R already, where this effect has its own");
+  const double below = material.layers.empty() ? 1.0 : material.layers.back().modulus_factor;
+  material.layers.push_back({.from = layer.from, .modulus_factor = below * layer.modulus_factor});
+}
+
+}  // namespace
 
 Effect layered_core_effect() {
   return {
@@ -23,6 +36,10 @@ Effect layered_core_effect() {
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.elastic.layer = choice.size;
+          },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            add_outer_layer(problem.material, {.from = 0.8, .modulus_factor = 1.0 + choice.size});
           },
   };
 }

@@ -1,6 +1,25 @@
+#include <cmath>
+
 #include "comparisons/effects/declarations.hpp"
+#include "comparisons/effects/dissipative/flat_spectrum.hpp"
+#include "comparisons/effects/dissipative/prony_branch.hpp"
 
 namespace rebound {
+namespace {
+
+/// Half the Hertz contact time at v_r, of the long-term modulus [s].
+double time_to_peak(const FemProblem& problem) {
+  constexpr double reference_speed = 10.0;
+  Material material = problem.material;
+  describe_as_long_term(material);
+  const double plane_strain =
+      material.youngs_modulus / (1.0 - material.poisson_ratio * material.poisson_ratio);
+  const double m = problem.sphere.mass;
+  return 0.5 * 2.8682657 *
+         std::pow(m * m / (problem.sphere.radius() * plane_strain * plane_strain * reference_speed), 0.2);
+}
+
+}  // namespace
 
 Effect rate_stiffening_effect() {
   return {
@@ -23,6 +42,11 @@ Effect rate_stiffening_effect() {
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.elastic.rate_exponent = choice.size;
+          },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            relax_by_power_law(problem.material,
+                               {.exponent = choice.size, .reference_time = time_to_peak(problem)});
           },
   };
 }

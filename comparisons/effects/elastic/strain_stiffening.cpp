@@ -24,6 +24,10 @@ Effect strain_stiffening_effect() {
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.elastic.stiffening = choice.size;
           },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.material.strain.stiffening += choice.size;
+          },
   };
 }
 

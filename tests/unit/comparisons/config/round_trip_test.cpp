@@ -64,6 +64,15 @@ TEST(RoundTripTest, EveryElasticLawKeepsEveryBit) {
   materials[3] = materials[2];
   materials[3].terms.push_back({.weight = 1.0 / 3.0, .exponent = -7.0, .beta = 1.1});
   materials[3].terms[0].beta = 0.9;
+  materials.push_back(materials[0]);
+  materials[4].branches = {{.ratio = 0.1, .relaxation_time = 1e-3 / 3.0, .rate_exponent = 1.0 / 7.0,
+                            .reference_strain = 0.03 / 7.0}};
+  materials[4].relaxation = Relaxation::multiplicative;
+  materials[4].retardation_time = 1e-5 / 3.0;
+  materials[4].strain = {.stiffening = 1.0 / 3.0, .softening = 0.1 / 3.0, .densification = 7.0 / 3.0,
+                         .mullins = 0.2 / 3.0};
+  materials[4].layers = {{.from = 0.5 / 3.0, .modulus_factor = 4.0 / 3.0},
+                         {.from = 0.8, .modulus_factor = 0.5}};
   for (const Material& material : materials) {
     FemProblem problem = every_fem_member_set();
     problem.material = material;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "comparisons/effects/dissipative/flat_spectrum.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -66,6 +69,44 @@ TEST(PronyBranchTest, SharesOfOneModulusCannotSayAMixture) {
   Material mixture = material(ModulusBasis::instantaneous, Relaxes::all);
   mixture.branches[1].relaxes = Relaxes::deviator;
   EXPECT_THROW(add_prony_branch(mixture, {.ratio = 0.25, .relaxation_time = 1e-3}), Error);
+}
+
+double modulus_at(const Material& material, double time) {
+  double modulus = 1.0;
+  for (const PronyBranch& branch : material.branches)
+    modulus += branch.ratio * std::exp(-time / branch.relaxation_time);
+  return modulus * material.youngs_modulus;
+}
+
+/// E(t) = E∞ (t/t_r)^(−s) from 1e-4 to 1 s, E∞ at t_r exactly. One branch a decade
+/// leaves a ripple of amplitude 2 |Γ(s + iω)|/Γ(s), ω = 2π/ln 10: 0.06 s at most
+/// here, twice that between t_r and its opposite phase.
+TEST(FlatSpectrumTest, ModulusIsAPowerOfTime) {
+  for (const double s : {0.02, 0.1, 0.3}) {
+    Material material{.youngs_modulus = 5e6, .poisson_ratio = 0.3};
+    relax_by_power_law(material, {.exponent = s, .reference_time = 1e-3});
+    EXPECT_NEAR(modulus_at(material, 1e-3) / 5e6, 1.0, 1e-12);
+    for (double time = 1e-4; time <= 1.0; time *= 1.7)
+      EXPECT_NEAR(modulus_at(material, time) / (5e6 * std::pow(time / 1e-3, -s)), 1.0, 0.13 * s) << time;
+  }
+}
+
+TEST(FlatSpectrumTest, NoExponentIsNoChange) {
+  Material material{.youngs_modulus = 5e6, .poisson_ratio = 0.3,
+                    .branches = {{.ratio = 0.25, .relaxation_time = 1e-3}}};
+  relax_by_power_law(material, {.exponent = 1e-9, .reference_time = 1e-3});
+  EXPECT_EQ(material.modulus, ModulusBasis::long_term);
+  EXPECT_NEAR(material.youngs_modulus / (0.75 * 5e6), 1.0, 1e-7);
+  EXPECT_NEAR(material.branches[0].ratio, 1.0 / 3.0, 1e-7);
+  for (std::size_t i = 1; i < material.branches.size(); ++i)
+    EXPECT_LT(material.branches[i].ratio, 1e-8);
+}
+
+TEST(FlatSpectrumTest, RefusesWhatIsNoSpectrum) {
+  for (const double s : {-0.1, 0.0, 1.0, std::nan("")}) {
+    Material material{.youngs_modulus = 5e6, .poisson_ratio = 0.3};
+    EXPECT_THROW(relax_by_power_law(material, {.exponent = s, .reference_time = 1e-3}), Error);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+#pragma once
+
+#include "fem/materials/moduli.hpp"
+#include "fem/materials/principal_stretches.hpp"
+
+namespace rebound::fem {
+
+/// A viscoelastic branch by the multiplicative split F = Fₑ Fᵥ.
+///
+///   ε = ½ ln(F Cᵥ⁻¹ Fᵀ),   W_b = μ_b |dev ε|² + (K_b/2) (tr ε)²
+///   J σ = 2μ_b dev ε + K_b tr ε 1
+///   flow at frozen F:  ε̇ = −(ε/τ) (q/q₀)^(1/m − 1)   (or dev ε alone)
+///   q = √(2/3) √(|dev ε|² + (K_b/2μ_b) (tr ε)²)
+///
+///   ε      elastic strain of the branch (Hencky), Cᵥ = FᵥᵀFᵥ its viscous strain
+///   τ      relaxation time at q = q₀ [s]; for m = 1 at any q
+///   m      rate exponent: flow strain ∝ rate^m. 1 Newtonian, below 1 a power law,
+///          toward 0 a plastic network that yields at q₀
+///   K_b    zero when the branch relaxes the deviator alone [Pa]
+///
+/// The flow is integrated exactly at frozen F, half a step before the stress and
+/// half after: second order in the step, dissipation −ΔW_b of each half never
+/// negative -> test MultiplicativeBranch.*. Cᵥ stays symmetric and positive.
+///
+/// Valid:   any stretch and rate; the branch is Hencky's, whose stress falls
+///          beyond an elastic stretch of e.
+/// Limit:   small strain and m = 1 is the Prony branch
+///          -> test MultiplicativeBranch.SmallStrainIsTheConvolution
+/// Caution: at finite strain the instantaneous response is the elastic law's by the
+///          long-term share and Hencky's by the rest, not the law's alone.
+/// Source:  Reese & Govindjee 1998 (split, flow rule, update by logarithms);
+///          Hencky energy as in Simo 1992.
+struct BranchFlow {
+  double before = 0.0;        ///< Δt/2τ of the step that led here [-]
+  double next = 0.0;          ///< Δt/2τ of the step that follows [-]
+  double decay_before = 1.0;  ///< e^(−before)
+  double decay_next = 1.0;    ///< e^(−next)
+  double power = 0.0;         ///< 1/m − 1; 0 Newtonian
+  double reference_strain = 1.0;  ///< q₀
+};
+
+/// Logarithm of a symmetric positive tensor: mean of the plane, its traceless
+/// part N, and the hoop.
+template <class T>
+struct Logarithm {
+  T plane_mean, n_rr, n_rz, hoop, half_difference;
+};
+
+template <class T>
+inline Logarithm<T> logarithm_of(const Symmetric<T>& b) {
+  const T mean = 0.5 * (b.rr + b.zz), a = 0.5 * (b.rr - b.zz);
+  const T root_squared = a * a + b.rz * b.rz;
+  const T root = sqrt(T(root_squared + 1e-40 * mean * mean));
+  const T log_largest = log(T(mean + root));
+  Logarithm<T> l;
+  l.plane_mean = 0.5 * log(T(b.rr * b.zz - b.rz * b.rz));
+  l.half_difference = log_largest - l.plane_mean;
+  const T inverse_mean = 1.0 / mean;
+  const T z = root_squared * inverse_mean * inverse_mean;
+  const T series =  // artanh(√z)/√z
+      (1.0 + z * (1.0 / 3.0 + z * (1.0 / 5.0 + z * (1.0 / 7.0 + z * (1.0 / 9.0))))) * inverse_mean;
+  const T quotient = l.half_difference / root;
+  const T per_root = z < 1e-3 ? series : quotient;
+  l.n_rr = per_root * a;
+  l.n_rz = per_root * b.rz;
+  l.hoop = log(b.tt);
+  return l;
+}
+
+/// Share of the elastic strain that is left after a flow over x = Δt/τ.
+///
+///   q' = q [1 + p x (q/q₀)^p]^(−1/p),   p = 1/m − 1
+template <class T>
+inline T share_left(const T& q_squared, double x, const BranchFlow& flow) {
+  const double p = flow.power;
+  const T ratio = 0.5 * log(T((q_squared + 1e-60) * (1.0 / (flow.reference_strain * flow.reference_strain))));
+  const T exponent = p * ratio;
+  const T most = 0.0 * exponent + 300.0;
+  const T kept = exponent < 300.0 ? exponent : most;
+  const T base = 1.0 + p * x * exp(kept);
+  const T least = 0.0 * base + 1e-30;
+  const T positive = base > 1e-30 ? base : least;
+  return exp(T((-1.0 / p) * log(positive)));
+}
+
+template <class T>
+struct BranchPoint {
+  Symmetric<T> stress;           ///< S, second Piola–Kirchhoff [Pa]
+  Symmetric<T> inverse_viscous;  ///< Cᵥ⁻¹ half a step on
+  T energy;                      ///< W_b where the stress is taken [J/m³]
+  T dissipated;                  ///< over both half steps [J/m³], never negative
+  T growth;                      ///< as stiffness_growth, over the branch at rest [-]
+};
+
+/// F⁻¹ A F⁻ᵀ.
+template <class T>
+inline Symmetric<T> pulled_back(const Gradient<T>& f, const Symmetric<T>& a) {
+  const T scale = 1.0 / (f.rr * f.zz - f.rz * f.zr);
+  const T rr = f.zz * scale, rz = -f.rz * scale, zr = -f.zr * scale, zz = f.rr * scale;
+  const T tt = 1.0 / f.tt;
+  const T p = rr * a.rr + rz * a.rz, q = rr * a.rz + rz * a.zz;
+  const T s = zr * a.rr + zz * a.rz, t = zr * a.rz + zz * a.zz;
+  return {p * rr + q * rz, s * zr + t * zz, tt * tt * a.tt, p * zr + q * zz};
+}
+
+template <class T>
+inline T branch_growth(const Logarithm<T>& l, const Symmetric<T>& b, const Symmetric<T>& inverse_viscous,
+                       const Moduli& moduli) {
+  // W_λᵢ = (2μ ln λᵢ − c)/λᵢ: a single term whose slope (1 − ln λ)/λ² falls up to λ = e^1.5.
+  const T logs[3] = {0.5 * (l.plane_mean + l.half_difference), 0.5 * (l.plane_mean - l.half_difference),
+                     0.5 * l.hoop};
+  StretchTangent<T> tangent;
+  T slope[3];
+  const T trace = logs[0] + logs[1] + logs[2];
+  const T plane_determinant = b.rr * b.zz - b.rz * b.rz;
+  const T largest = 0.5 * (b.rr + b.zz) +
+                    sqrt(T(0.25 * (b.rr - b.zz) * (b.rr - b.zz) + b.rz * b.rz + 1e-40));
+  tangent.inverse_square[0] = 1.0 / largest;
+  tangent.inverse_square[1] = largest / plane_determinant;
+  tangent.inverse_square[2] = 1.0 / b.tt;
+  for (int i = 0; i < 3; ++i) {
+    tangent.stress[i] = 2.0 * moduli.shear * logs[i];
+    slope[i] = 2.0 * moduli.shear * (1.0 - logs[i]) * tangent.inverse_square[i];
+  }
+  tangent.slope = largest_of(slope[0], slope[1], slope[2]);
+  const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
+  tangent.constant = -lame * trace;
+  tangent.coupling = 0.0 * trace + lame;
+  tangent.spread = 0.0 * trace;
+  // |h Fᵥ⁻¹|² ≤ |h|² times the largest eigenvalue of Cᵥ⁻¹.
+  const auto& v = inverse_viscous;
+  const T in_plane = 0.5 * (v.rr + v.zz) +
+                     sqrt(T(0.25 * (v.rr - v.zz) * (v.rr - v.zz) + v.rz * v.rz + 1e-40));
+  return growth_of(tangent, moduli.shear, lame) * larger_of(in_plane, v.tt);
+}
+
+/// One point over one step; `inverse_viscous` is Cᵥ⁻¹ half a step back.
+template <class T>
+inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f, const Symmetric<T>& inverse_viscous,
+                                             const Moduli& moduli, const BranchFlow& flow) {
+  const auto& v = inverse_viscous;
+  const T p = f.rr * v.rr + f.rz * v.rz, q = f.rr * v.rz + f.rz * v.zz;
+  const T s = f.zr * v.rr + f.zz * v.rz, t = f.zr * v.rz + f.zz * v.zz;
+  const Symmetric<T> b{p * f.rr + q * f.rz, s * f.zr + t * f.zz, f.tt * f.tt * v.tt,
+                       p * f.zr + q * f.zz};
+  const Logarithm<T> l = logarithm_of(b);
+  // ε = ½ ln b: mean third of its trace, deviator.
+  const T third = (1.0 / 6.0) * (2.0 * l.plane_mean + l.hoop);
+  const T plane = 0.5 * l.plane_mean - third, hoop = 0.5 * l.hoop - third;
+  const T n_rr = 0.5 * l.n_rr, n_rz = 0.5 * l.n_rz;
+  const T deviator = 2.0 * (plane * plane + n_rr * n_rr + n_rz * n_rz) + hoop * hoop;
+  const bool all = moduli.bulk > 0.0;
+  const T volume = all ? T(0.5 * moduli.bulk / moduli.shear * 9.0 * third * third) : T(0.0 * third);
+  const T q_squared = (2.0 / 3.0) * (deviator + volume);
+  T left = 0.0 * third + flow.decay_before, after = 0.0 * third + flow.decay_next;
+  if (flow.power != 0.0) {  // of the branch, not of a point
+    left = share_left(q_squared, flow.before, flow);
+    after = share_left(T(q_squared * left * left), flow.next, flow);
+  }
+  BranchPoint<T> point;
+  point.growth = branch_growth(l, b, v, moduli);
+  const T twice = 2.0 * moduli.shear * left;
+  const T pressure = 3.0 * moduli.bulk * left * third;
+  point.stress = pulled_back(f, Symmetric<T>{twice * (plane + n_rr) + pressure,
+                                             twice * (plane - n_rr) + pressure,
+                                             twice * hoop + pressure, twice * n_rz});
+  const T at_start = moduli.shear * (deviator + volume);
+  point.energy = at_start * left * left;
+  const T both = left * after;
+  point.dissipated = at_start * (1.0 - both * both);
+  // b after both halves: exp(2ε'), the volume kept where only the deviator flows.
+  const T mean = all ? T(both * third) : third;
+  const T scale = exp(T(2.0 * (both * plane + mean)));
+  const T w2 = 4.0 * both * both * (n_rr * n_rr + n_rz * n_rz);
+  const T w = sqrt(T(w2 + 1e-40));
+  const T e = exp(w), inverse_e = 1.0 / e;
+  const T series = 1.0 + w2 * (1.0 / 6.0 + w2 * (1.0 / 120.0 + w2 * (1.0 / 5040.0)));
+  const T quotient = 0.5 * (e - inverse_e) / w;
+  const T sinhc = w2 < 1e-3 ? series : quotient;
+  const T cosh = 0.5 * (e + inverse_e);
+  const T shear = 2.0 * both * scale * sinhc;
+  point.inverse_viscous =
+      pulled_back(f, Symmetric<T>{scale * cosh + shear * n_rr, scale * cosh - shear * n_rr,
+                                  exp(T(2.0 * (both * hoop + mean))), shear * n_rz});
+  return point;
+}
+
+}  // namespace rebound::fem
