@@ -4,6 +4,7 @@
 #include "fem/implicit/implicit_impact.hpp"
 #include "fem/implicit/static_compression.hpp"
 #include "fem/schemes/explicit_impact.hpp"
+#include "fem/materials/uniaxial.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/modules.hpp"
 
@@ -47,7 +48,20 @@ class LoadedFemTier final : public rebound::FemTier {
   }
 };
 
+class LoadedMaterialLaws final : public rebound::MaterialLaws {
+ public:
+  std::vector<rebound::UniaxialState> uniaxial(const rebound::Material& material,
+                                               const std::vector<double>& stretches) const override {
+    return rebound::fem::uniaxial_states(material, stretches);
+  }
+};
+
 }  // namespace
+
+extern "C" const rebound::MaterialLaws* rebound_material_laws(unsigned long stamp) {
+  static const LoadedMaterialLaws laws;
+  return stamp == rebound::interface_stamp ? &laws : nullptr;
+}
 
 extern "C" const rebound::FemTier* rebound_fem_tier(unsigned long stamp) {
   static const LoadedFemTier tier;

@@ -6,6 +6,8 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/foams/foam_rows.hpp"
+#include "comparisons/modules/material_laws.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/report/write_report.hpp"
 #include "comparisons/results/atomic_file.hpp"
@@ -41,6 +43,7 @@ Verification verify(const std::string& tier) {
     return found;
   }
   ProgressLine progress("FE rungs");
+  append(table, verify_foams(material_laws(), published_foams()));
   append(table, verify_fem(fem_tier(), progress.control()));
   append(table, verify_second_scheme(fem_tier(), progress.control()));
   found.family = run_mesh_family(fem_tier(), progress.control());
@@ -57,6 +60,8 @@ ExitCode run_verify(const Session& session, const std::string& tier) {
     stored["provenance"] = to_json(provenance_of(session, "", ""));
     write_file_atomically(session.out / "verify.json", dump(stored));
     report::write_report(verification_report(table, family), session.out / "report.html");
+    if (tier != "lumped" && has_fem_tier())
+      write_foam_curves(material_laws(), published_foams(), session.out);
   }
   fmt::print("{}", session.json() ? dump(json) : to_text(table));
   return all_pass(table) ? ExitCode::done : ExitCode::comparison_failed;
@@ -70,7 +75,8 @@ Action declare_verify(CLI::App& command) {
       ->check(CLI::IsMember({"lumped", "fem", "all"}))
       ->capture_default_str();
   command.footer([] {
-    return "Exit code 1 where a row fails. --out writes verify.json and report.html.\n\n" + exit_code_help();
+    return "Exit code 1 where a row fails. --out writes verify.json, report.html and, with the FE "
+           "tier, the curves of published foams (foams.csv, foams.html).\n\n" + exit_code_help();
   });
   return [tier](const Session& session) { return run_verify(session, *tier); };
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "comparisons/modules/material_laws.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -55,6 +56,11 @@ std::string module_file(const std::string& name) {
 const FemTier& fem_tier() {
   static const FemTier& tier = load<FemTier>("rebound_fem", fem_entry_point);
   return tier;
+}
+
+const MaterialLaws& material_laws() {
+  static const MaterialLaws& laws = load<MaterialLaws>("rebound_fem", material_entry_point);
+  return laws;
 }
 
 }  // namespace rebound
