@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "comparisons/app/calibrate_material.hpp"
 #include "comparisons/app/calibration_text.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/calibration/calibration_file.hpp"
+#include "comparisons/calibration/material_calibration_file.hpp"
 #include "comparisons/config/describe_lumped.hpp"
 #include "comparisons/config/document.hpp"
 #include "comparisons/config/help_writer.hpp"
@@ -20,7 +22,8 @@ namespace rebound {
 namespace {
 
 std::string calibrate_help() {
-  return "Keys of FILE (TOML):\n" + help_text<CalibrationFile>() +
+  return "Keys of FILE (TOML) for a contact law:\n" + help_text<CalibrationFile>() +
+         "\nKeys of FILE for the material of the FE tier:\n" + help_text<MaterialCalibrationFile>() +
          "\nThe calibrated law is printed as an impact file that `rebound lumped` runs; --out "
          "writes it to\ncalibrated.toml, beside calibration.json. With --out, a calibration that was "
          "stopped or killed goes on\nwhere it was when the same command is given again "
@@ -48,6 +51,7 @@ std::string impact_file_of(const LawCalibration& calibration,
 
 ExitCode run_calibrate(const Session& session, const std::string& path) {
   const Document document = Document::load(path);
+  if (asks_for_material(document)) return calibrate_material_file(session, path, document);
   CalibrationFile file;
   read_document(document, file);
   std::vector<std::string> labels;
@@ -90,7 +94,7 @@ ExitCode run_calibrate(const Session& session, const std::string& path) {
 
 Action declare_calibrate(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
-  command.add_option("FILE", *file, "Calibration file: a law, and what it is calibrated to")
+  command.add_option("FILE", *file, "Calibration file: a law or a material, and what it is calibrated to")
       ->required();
   command.footer(calibrate_help);
   return [file](const Session& session) { return run_calibrate(session, *file); };

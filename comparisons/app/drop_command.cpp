@@ -8,10 +8,10 @@
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/units.hpp"
+#include "comparisons/drop_test/fem_drop.hpp"
 #include "comparisons/drop_test/stored_calibration.hpp"
-#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/modules/fem_runner.hpp"
 #include "comparisons/results/atomic_file.hpp"
-#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -32,27 +32,24 @@ bool is_fem(const Document& document) {
   return document.root()["model"]["tier"].value_or(std::string()) == "fem";
 }
 
-DropOutcome fem_drop(const Document& document, const DropOptions& options) {
-  FemProblem problem = read_fem_problem(document);
-  problem.impact.speed = drop_speed(options.height);
+DropOutcome fem_drop(const FemProblem& problem,
+                     const std::optional<ParameterUncertainty>& uncertainty,
+                     const std::string& file, const DropOptions& options) {
   if (!problem.mesh_file.empty())
-    throw document.error_at("model.mesh", "the drop test makes its own mesh", "cells instead of mesh");
-  const Mesh mesh = generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
-  ProgressLine progress("FE impact");
-  const FemResult result = fem_tier().simulate(problem, mesh, progress.control());
-  if (!result.incomplete_because.empty())
-    throw Error(ExitCode::solver_failed, result.incomplete_because, {.file = document.name()});
-  DropOutcome outcome;
-  outcome.speed = problem.impact.speed;
-  outcome.restitution = result.scalars.restitution;
-  outcome.notes.emplace_back("no interval: an FE impact file states no uncertainty of its material");
-  outcome.verdict = verdict_of(outcome.restitution, outcome.interval);
-  return outcome;
+    throw Error(ExitCode::bad_input, "the drop test makes its own mesh",
+                {.file = file, .key = "model.mesh", .value = problem.mesh_file,
+                 .allowed = "cells instead of mesh"});
+  ProgressLine progress("FE impacts");
+  return drop_test(problem, uncertainty,
+                   fem_runner(problem.sphere, problem.cells, progress.control()), options);
 }
 
 DropOutcome calibration_drop(const std::filesystem::path& file, const DropOptions& options) {
   const StoredCalibration stored = read_stored_calibration(file);
-  DropOutcome outcome = drop_test(stored.problem, stored.uncertainty, options);
+  const auto* fem = std::get_if<FemProblem>(&stored.problem);
+  DropOutcome outcome =
+      fem ? fem_drop(*fem, stored.uncertainty, file.string(), options)
+          : drop_test(std::get<LumpedProblem>(stored.problem), stored.uncertainty, options);
   if (!stored.why_not.empty())
     outcome.notes.push_back("the calibration's uncertainty is not carried: " + stored.why_not);
   return outcome;
@@ -66,7 +63,8 @@ std::filesystem::path input_of(const std::filesystem::path& path) {
 DropOutcome run(const std::filesystem::path& path, const DropOptions& options) {
   if (path.extension() == ".json") return calibration_drop(path, options);
   const Document document = Document::load(path);
-  if (is_fem(document)) return fem_drop(document, options);
+  if (is_fem(document))
+    return fem_drop(read_fem_problem(document), std::nullopt, document.name(), options);
   return drop_test(read_lumped_problem(document), std::nullopt, options);
 }
 

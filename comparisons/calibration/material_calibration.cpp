@@ -16,32 +16,6 @@ constexpr double difference_step = 0.02;
 /// For the same reason no more of the cost can be gained than this share.
 constexpr double cost_tolerance = 5e-4;
 
-double& number_of(Material& material, const FreeMaterialNumber& unknown) {
-  if (unknown.what == MaterialUnknown::youngs_modulus) return material.youngs_modulus;
-  auto& branch = material.branches.at(unknown.branch);
-  return unknown.what == MaterialUnknown::branch_ratio ? branch.ratio : branch.relaxation_time;
-}
-
-std::string name_of(const FreeMaterialNumber& unknown) {
-  switch (unknown.what) {
-    case MaterialUnknown::youngs_modulus: return "Young's modulus";
-    case MaterialUnknown::branch_ratio:
-      return "branch " + std::to_string(unknown.branch + 1) + " ratio";
-    case MaterialUnknown::branch_time:
-      return "branch " + std::to_string(unknown.branch + 1) + " relaxation time";
-  }
-  return {};
-}
-
-const char* unit_of(MaterialUnknown what) {
-  switch (what) {
-    case MaterialUnknown::youngs_modulus: return "Pa";
-    case MaterialUnknown::branch_ratio: return "1";
-    case MaterialUnknown::branch_time: return "s";
-  }
-  return "";
-}
-
 Material with_numbers(Material material, const std::vector<FreeMaterialNumber>& free,
                       const std::vector<double>& logarithms) {
   for (std::size_t i = 0; i < free.size(); ++i)
@@ -87,7 +61,8 @@ std::vector<FemResult> run_impacts(const FemProblem& problem, const std::vector<
 MaterialCalibration calibrate_material(const FemProblem& problem,
                                        const std::vector<MeasuredImpact>& measured,
                                        const std::vector<FreeMaterialNumber>& free,
-                                       const FemRunner& run, const RunControl& control) {
+                                       const FemRunner& run, const RunControl& control,
+                                       const MaterialSearch& search) {
   std::vector<Impact> impacts;
   for (const auto& shot : measured) impacts.push_back(shot.impact);
 
@@ -96,6 +71,10 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
   calibration.controls.relative_step = difference_step;
   calibration.controls.cost_tolerance = cost_tolerance;
   calibration.controls.iterations = 20;
+  calibration.controls.confidence = search.confidence;
+  calibration.controls.starts = search.starts;
+  calibration.controls.seed = search.seed;
+  calibration.controls.checkpoint = search.checkpoint;
   for (const auto& unknown : free) {
     Material start = problem.material;
     calibration.parameters.push_back({.name = name_of(unknown),

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
+#include "comparisons/calibration/material_numbers.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/modules.hpp"
 #include "lumped/problem/result.hpp"
@@ -19,20 +22,17 @@ struct MeasuredImpact {
   double contact_threshold = 0.0;         ///< force at which the instrument starts and stops [N]
 };
 
-/// A number of the material that may move.
-enum class MaterialUnknown { youngs_modulus, branch_ratio, branch_time };
-
-struct FreeMaterialNumber {
-  MaterialUnknown what = MaterialUnknown::branch_ratio;
-  int branch = 0;       ///< which branch, from 0; of no account for the modulus
-  double lowest = 0.0;  ///< SI
-  double highest = 0.0;
-};
-
 /// A fitted material and the FE impacts it gives.
 struct MaterialCalibration {
   Material material;
   CalibrationResult fit;  ///< estimates in SI, by names such as "branch 1 ratio"
+};
+
+struct MaterialSearch {
+  double confidence = 0.95;            ///< of the intervals
+  int starts = 1;                      ///< the start given, then seeded ones within the bounds
+  std::uint64_t seed = 1;
+  std::filesystem::path checkpoint{};  ///< as CalibrationControls::checkpoint
 };
 
 /// Fits numbers of a viscoelastic material to measured restitutions and
@@ -54,7 +54,8 @@ struct MaterialCalibration {
 MaterialCalibration calibrate_material(const FemProblem& problem,
                                        const std::vector<MeasuredImpact>& measured,
                                        const std::vector<FreeMaterialNumber>& free,
-                                       const FemRunner& run, const RunControl& control = {});
+                                       const FemRunner& run, const RunControl& control = {},
+                                       const MaterialSearch& search = {});
 
 /// FE impacts of one material at all measured speeds, two at a time.
 std::vector<FemResult> run_impacts(const FemProblem& problem, const std::vector<Impact>& impacts,

@@ -15,20 +15,6 @@
 namespace rebound {
 namespace {
 
-void check(const DropOptions& options) {
-  const auto require = [](bool good, const char* key, double value, const char* allowed) {
-    if (!good)
-      throw Error(ExitCode::bad_input, "out of range",
-                  {.key = key, .value = std::to_string(value), .allowed = allowed});
-  };
-  require(options.height > 0.0 && options.height <= 1000.0, "height", options.height,
-          "above 0, at most 1000 m");
-  require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
-          "between 0 and 1");
-  require(options.draws >= 100 && options.draws <= 1000000, "draws", options.draws,
-          "100 to 1000000");
-}
-
 /// Lower triangle L with L Lᵀ the covariance.
 Eigen::MatrixXd root_of(const ParameterUncertainty& u) {
   const auto size = static_cast<Eigen::Index>(u.names.size());
@@ -132,6 +118,20 @@ void carry(const LumpedProblem& problem, const ParameterUncertainty& uncertainty
 }
 
 }  // namespace
+
+void check(const DropOptions& options) {
+  const auto require = [](bool good, const char* key, double value, const char* allowed) {
+    if (!good)
+      throw Error(ExitCode::bad_input, "out of range",
+                  {.key = key, .value = std::to_string(value), .allowed = allowed});
+  };
+  require(options.height > 0.0 && options.height <= 1000.0, "height", options.height,
+          "above 0, at most 1000 m");
+  require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
+          "between 0 and 1");
+  require(options.draws >= 100 && options.draws <= 1000000, "draws", options.draws,
+          "100 to 1000000");
+}
 
 DropVerdict verdict_of(double restitution,
                        const std::optional<std::pair<double, double>>& interval,

@@ -25,6 +25,9 @@ struct DropOptions {
   std::uint64_t seed = 1;
 };
 
+/// Errors: Error(bad_input) for options out of range.
+void check(const DropOptions& options);
+
 enum class DropVerdict { inside, below, above, undecided };
 
 /// Restitution in the drop test, with what is known of its error.

@@ -24,13 +24,17 @@ StoredCalibration read_stored_calibration(const std::filesystem::path& file) {
   try {
     const Json json = Json::parse(text);
     StoredCalibration stored;
-    stored.problem = read_lumped_problem(
-        Document::parse(json.at("model_toml").get<std::string>(), file.string()));
+    const Document model = Document::parse(json.at("model_toml").get<std::string>(), file.string());
+    if (json.value("tier", "lumped") == "fem")
+      stored.problem = read_fem_problem(model);
+    else
+      stored.problem = read_lumped_problem(model);
     for (const auto& estimate : json.at("estimates"))
       if (estimate.at("standard_error").is_null())
         stored.why_not += (stored.why_not.empty() ? "not identifiable: " : ", ") +
                           estimate.at("name").get<std::string>();
-    if (!stored.problem.model.at_speed.empty())
+    const auto* lumped = std::get_if<LumpedProblem>(&stored.problem);
+    if (lumped && !lumped->model.at_speed.empty())
       stored.why_not = "its parameters were fitted speed by speed";
     if (stored.why_not.empty()) stored.uncertainty = uncertainty_of(json);
     return stored;

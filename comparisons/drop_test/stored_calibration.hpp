@@ -3,14 +3,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "comparisons/drop_test/drop_test.hpp"
+#include "lumped/problem/fem_problem.hpp"
 
 namespace rebound {
 
 /// A calibration.json as `rebound calibrate --out` writes it.
 struct StoredCalibration {
-  LumpedProblem problem;
+  std::variant<LumpedProblem, FemProblem> problem;  ///< of the tier that was calibrated
   /// Absent where a parameter was not identified, or where parameters were
   /// fitted speed by speed; `why_not` then says so.
   std::optional<ParameterUncertainty> uncertainty;

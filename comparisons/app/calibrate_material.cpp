@@ -1,0 +1,117 @@
+#include "comparisons/app/calibrate_material.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/calibration/material_calibration_file.hpp"
+#include "comparisons/config/impact_file.hpp"
+#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/reader.hpp"
+#include "comparisons/config/toml_writer.hpp"
+#include "comparisons/modules/fem_runner.hpp"
+#include "comparisons/references/measured_impacts.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+/// All impacts of all folders; they must be of one ball, that of the model.
+MeasuredBall measured_of(const Document& document, const MaterialCalibrationFile& file,
+                         const Sphere& sphere) {
+  MeasuredBall all{.sphere = sphere, .impacts = {}, .labels = {}, .notes = {}};
+  for (std::size_t i = 0; i < file.folders.size(); ++i) {
+    const MeasuredBall one =
+        measured_ball(document.folder() / file.folders[i],
+                      {.restitution = file.restitution_uncertainty,
+                       .contact_time = file.contact_time_uncertainty});
+    constexpr double same = 0.01;  // what a mass or a diameter may be off by between files
+    if (std::abs(one.sphere.mass / sphere.mass - 1.0) > same ||
+        std::abs(one.sphere.diameter / sphere.diameter - 1.0) > same)
+      throw document.error_at(fmt::format("folders[{}]", i),
+                              fmt::format("the ball there has {:.4g} g and {:.4g} mm, that of the "
+                                          "model {:.4g} g and {:.4g} mm",
+                                          1e3 * one.sphere.mass, 1e3 * one.sphere.diameter,
+                                          1e3 * sphere.mass, 1e3 * sphere.diameter),
+                              "data of the model's ball");
+    all.impacts.insert(all.impacts.end(), one.impacts.begin(), one.impacts.end());
+    all.labels.insert(all.labels.end(), one.labels.begin(), one.labels.end());
+    all.notes.insert(all.notes.end(), one.notes.begin(), one.notes.end());
+  }
+  return all;
+}
+
+MaterialCalibration fit(const Session& session, const MaterialCalibrationFile& file,
+                        const FemProblem& start, const MeasuredBall& measured,
+                        const std::filesystem::path& checkpoint) {
+  const auto numbers = material_numbers(start.material, file.reach);
+  std::vector<FreeMaterialNumber> free;
+  for (const auto& key : file.free) free.push_back(find_material_number(numbers, key));
+  ProgressLine progress("calibration");
+  const RunControl control = progress.control();
+  try {
+    return calibrate_material(start, measured.impacts, free,
+                              fem_runner(start.sphere, start.cells, control), control,
+                              {.confidence = file.confidence,
+                               .starts = file.starts,
+                               .seed = static_cast<std::uint64_t>(file.seed),
+                               .checkpoint = checkpoint});
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::interrupted || session.out.empty()) throw;
+    throw Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
+                {.file = checkpoint.string()});
+  }
+}
+
+}  // namespace
+
+bool asks_for_material(const Document& document) {
+  return document.root()["tier"].value_or(std::string()) == "fem";
+}
+
+ExitCode calibrate_material_file(const Session& session, const std::string& path,
+                                 const Document& document) {
+  MaterialCalibrationFile file;
+  read_document(document, file);
+  FemProblem problem = read_fem_file(document.folder() / file.model);
+  if (!problem.mesh_file.empty())
+    throw document.error_at("model", "a calibration makes its own mesh: the model names a mesh file");
+  const MeasuredBall measured = measured_of(document, file, problem.sphere);
+  std::filesystem::path checkpoint;
+  if (!session.out.empty()) {
+    make_writable_folder(session.out);
+    checkpoint = session.out / "checkpoint.json";
+  }
+  MaterialCalibration found = [&] {
+    try {
+      return fit(session, file, problem, measured, checkpoint);
+    } catch (const Error& error) {
+      throw error.location().file.empty() ? document.located(error) : error;
+    }
+  }();
+  found.fit.warnings.insert(found.fit.warnings.end(), measured.notes.begin(), measured.notes.end());
+  problem.material = found.material;
+  problem.impact.speed = measured.impacts.front().impact.speed;
+  const std::string toml = write_toml(problem);
+  Json json = {{"schema", 1}, {"tier", "fem"}, {"references", measured.labels}};
+  json.update(to_json(found.fit));
+  json["seed"] = file.seed;
+  json["model_toml"] = toml;
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
+    write_file_atomically(session.out / "calibrated.toml", toml);
+    write_file_atomically(session.out / "calibration.json", dump(stored));
+    std::filesystem::remove(checkpoint);
+  }
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    fmt::print("{}\n{}", to_text(found.fit), toml);
+  return found.fit.converged ? ExitCode::done : ExitCode::solver_failed;
+}
+
+}  // namespace rebound

@@ -1,0 +1,50 @@
+#include "comparisons/calibration/material_calibration_file.hpp"
+
+#include "comparisons/config/describe_impact.hpp"
+
+namespace rebound {
+
+void describe(Visitor& visit, MaterialCalibrationFile& file) {
+  describe_schema(visit);
+  std::string tier = "fem";
+  visit.text({.name = "tier", .sentence = "Numbers of an FE material, not of a law.",
+              .allowed = {"fem"}},
+             tier);
+  visit.text({.name = "model",
+              .sentence = "FE impact file: cells, and the material that the search starts from; "
+                          "relative to this file."},
+             file.model);
+  visit.texts({.name = "free",
+               .sentence = "Numbers that are fitted: \"youngs_modulus\", \"branch[0].ratio\", "
+                           "\"branch[0].relaxation_time\", and so on."},
+              file.free);
+  visit.texts({.name = "folders",
+               .sentence = "Data sets, or results of `lumped` or `fem --out`; relative to this "
+                           "file. Restitution and contact time of every shot are fitted."},
+              file.folders);
+  visit.number({.name = "reach",
+                .sentence = "Bounds of a number: this many times its start, either way.",
+                .presence = Presence::optional,
+                .range = between(1.0, 1e4)},
+               file.reach);
+  visit.whole({.name = "starts",
+               .sentence = "Starting points of the search: the model's, then seeded ones.",
+               .presence = Presence::optional, .range = from_to(1.0, 1000.0)},
+              file.starts);
+  visit.whole({.name = "seed", .sentence = "Seed of the further starting points.",
+               .presence = Presence::optional, .range = at_least(0.0)},
+              file.seed);
+  visit.number({.name = "confidence", .sentence = "Confidence of the intervals.",
+                .presence = Presence::optional, .range = between(0.0, 1.0)},
+               file.confidence);
+  visit.number({.name = "restitution_uncertainty",
+                .sentence = "Standard deviation of a restitution that states none.",
+                .presence = Presence::optional, .range = above(0.0)},
+               file.restitution_uncertainty);
+  visit.number({.name = "contact_time_uncertainty",
+                .sentence = "Standard deviation of a contact time that states none, as a share.",
+                .presence = Presence::optional, .range = above(0.0)},
+               file.contact_time_uncertainty);
+}
+
+}  // namespace rebound
