@@ -66,7 +66,7 @@ TEST_F(DiagnoseCommand, FindsWhatIsHiddenAndItsModelRuns) {
   EXPECT_EQ(found["effects"][0]["name"], "hysteresis");
   EXPECT_EQ(found["effects"][0]["unit"], "1");
   EXPECT_EQ(found["effects"][0]["tiers"]["lumped"], "supported");
-  EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "no-form");
+  EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "not-run");
   EXPECT_EQ(found["candidates"][0][0], "hysteresis");
   EXPECT_GT(found["gap"]["held_out_before"].get<double>(), found["gap"]["held_out_after"].get<double>());
   EXPECT_EQ(found["held_out_speed_m_s"], 15.0);
