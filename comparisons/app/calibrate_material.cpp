@@ -24,10 +24,12 @@ MeasuredBall measured_of(const Document& document, const MaterialCalibrationFile
                          const Sphere& sphere) {
   MeasuredBall all{.sphere = sphere, .impacts = {}, .labels = {}, .notes = {}};
   for (std::size_t i = 0; i < file.folders.size(); ++i) {
-    const MeasuredBall one =
-        measured_ball(document.folder() / file.folders[i],
-                      {.restitution = file.restitution_uncertainty,
-                       .contact_time = file.contact_time_uncertainty});
+    const auto read = file.observable == MaterialObservable::force_time ? measured_histories
+                                                                        : measured_ball;
+    const MeasuredBall one = read(document.folder() / file.folders[i],
+                                  {.restitution = file.restitution_uncertainty,
+                                   .contact_time = file.contact_time_uncertainty,
+                                   .force = file.force_uncertainty});
     constexpr double same = 0.01;  // what a mass or a diameter may be off by between files
     if (std::abs(one.sphere.mass / sphere.mass - 1.0) > same ||
         std::abs(one.sphere.diameter / sphere.diameter - 1.0) > same)

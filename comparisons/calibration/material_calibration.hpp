@@ -9,6 +9,7 @@
 #include "lumped/problem/fem_problem.hpp"
 #include "lumped/problem/modules.hpp"
 #include "lumped/problem/result.hpp"
+#include "lumped/problem/trace.hpp"
 
 namespace rebound {
 
@@ -20,6 +21,10 @@ struct MeasuredImpact {
   double contact_time = 0.0;              ///< [s]
   double contact_time_uncertainty = 0.0;  ///< one standard deviation [s]
   double contact_threshold = 0.0;         ///< force at which the instrument starts and stops [N]
+  /// A force history instead: time from first touch [s], force [N]. Where there
+  /// is one, it is fitted and the two scalars are not.
+  Trace trace{};
+  double force_uncertainty = 0.0;         ///< one standard deviation of a sample [N]
 };
 
 /// A fitted material and the FE impacts it gives.
@@ -40,15 +45,18 @@ struct MaterialSearch {
 /// part: they are left as a check.
 ///
 ///   residuals  (e_FE − e)/σ_e,  (t_FE − t)/σ_t,   t_FE the time that the FE
-///   force spends above the instrument's threshold
+///   force spends above the instrument's threshold; or (F_FE(t) − F(t))/σ_F
+///
+/// Derivatives are differences on one mesh and at one step, the same for all
+/// impacts of a difference: without that the step follows the material, and its
+/// changes are noise of 1e-4 in contact time -> test MaterialCalibrationTest.DifferencesHaveOneStep.
 ///
 /// The unknowns are all positive and are searched as logarithms; intervals
 /// are those of the logarithm, carried back.
 /// Valid:   `problem` gives sphere, controls and the material to start from.
 /// Limit:   recovers a material from its own impacts
 ///          -> test MaterialCalibrationTest.RecoversABranch.
-/// Caution: the mesh must be the same in every run of a fit, or the residuals
-///          jump; step noise of the explicit scheme sets the difference step.
+/// Caution: the mesh must be the same in every run of a fit, or the residuals jump.
 /// Errors:  Error(bad_input) for no impacts or unknowns, a start outside its
 ///          bounds, or fewer data than unknowns.
 MaterialCalibration calibrate_material(const FemProblem& problem,

@@ -20,8 +20,19 @@ void describe(Visitor& visit, MaterialCalibrationFile& file) {
               file.free);
   visit.texts({.name = "folders",
                .sentence = "Data sets, or results of `lumped` or `fem --out`; relative to this "
-                           "file. Restitution and contact time of every shot are fitted."},
+                           "file. Every shot is fitted."},
               file.folders);
+  visit.choice<MaterialObservable>({.name = "observable",
+                                    .sentence = "What is fitted: restitution and contact time, or "
+                                                "the force over time where there are traces.",
+                                    .presence = Presence::optional},
+                                   {{"scalars", MaterialObservable::scalars},
+                                    {"force-time", MaterialObservable::force_time}},
+                                   file.observable);
+  visit.number({.name = "force_uncertainty",
+                .sentence = "Standard deviation of a force that states none, over the peak.",
+                .presence = Presence::optional, .range = above(0.0)},
+               file.force_uncertainty);
   visit.number({.name = "reach",
                 .sentence = "Bounds of a number: this many times its start, either way.",
                 .presence = Presence::optional,

@@ -7,11 +7,16 @@
 
 namespace rebound {
 
+/// What of an impact is fitted: restitution and contact time, or F(t).
+enum class MaterialObservable { scalars, force_time };
+
 /// A file that asks for the numbers of an FE material.
 struct MaterialCalibrationFile {
   std::string model;               ///< impact file: the ball and the material to start from
   std::vector<std::string> free;   ///< keys of material numbers
   std::vector<std::string> folders;
+  MaterialObservable observable = MaterialObservable::scalars;
+  double force_uncertainty = 0.01; ///< of a trace that states none, over its peak [-]
   double reach = 30.0;             ///< bounds: this many times the start either way
   int starts = 6;
   int seed = 1;

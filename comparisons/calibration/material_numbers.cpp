@@ -50,7 +50,7 @@ std::vector<FreeMaterialNumber> material_numbers(const Material& material, doubl
   double taken = 0.0;
   for (const auto& branch : material.branches) taken += branch.ratio;
   // Shares of an instantaneous modulus sum below 1: what is left is dealt out evenly.
-  constexpr double most = 0.99;
+  constexpr double most = 0.97;  // differences step a little beyond a bound
   const double left = (most - taken) / std::max(1.0, static_cast<double>(material.branches.size()));
   const bool shares = material.modulus == ModulusBasis::instantaneous;
   for (auto& number : numbers) {

@@ -73,4 +73,29 @@ MeasuredBall measured_ball(const std::filesystem::path& folder, const AssumedUnc
   return ball;
 }
 
+MeasuredBall measured_histories(const std::filesystem::path& folder,
+                                const AssumedUncertainty& assumed) {
+  constexpr std::size_t most_samples = 200;
+  MeasuredBall ball;
+  for (const BenchmarkReference& reference : read_references(folder)) {
+    const ReferenceShot& shot = reference.shot;
+    ball.sphere = shot.sphere;
+    MeasuredImpact impact{.impact = {.speed = shot.impact.speed},
+                          .force_uncertainty = shot.force_uncertainty};
+    if (!(impact.force_uncertainty > 0.0)) {
+      impact.force_uncertainty = assumed.force * shot.scalars.peak_force;
+      ball.notes.push_back(fmt::format("{}: uncertainty of the force assumed, {:g} % of its peak",
+                                       reference.label, 100.0 * assumed.force));
+    }
+    const std::size_t every = 1 + shot.trace.time.size() / most_samples;
+    for (std::size_t i = 0; i < shot.trace.time.size(); i += every) {
+      impact.trace.time.push_back(shot.trace.time[i]);
+      impact.trace.force.push_back(shot.trace.force[i]);
+    }
+    ball.impacts.push_back(std::move(impact));
+    ball.labels.push_back(reference.label);
+  }
+  return ball;
+}
+
 }  // namespace rebound

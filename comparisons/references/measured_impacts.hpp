@@ -11,6 +11,7 @@ namespace rebound {
 struct AssumedUncertainty {
   double restitution = 0.01;   ///< one standard deviation [-]
   double contact_time = 0.01;  ///< one standard deviation over the value [-]
+  double force = 0.01;         ///< one standard deviation of a sample over the peak [-]
 };
 
 /// A ball and its impacts as a material is fitted to them.
@@ -30,5 +31,11 @@ struct MeasuredBall {
 /// Errors: Error(bad_input) for a shot that gives either neither as a number
 ///         nor by a trace, and those of reading.
 MeasuredBall measured_ball(const std::filesystem::path& folder, const AssumedUncertainty& assumed);
+
+/// The same with the force histories of all shots, 200 samples a contact at
+/// most; measured_shot() says where a contact starts.
+/// Errors: Error(bad_input) for a folder without traces, and as above.
+MeasuredBall measured_histories(const std::filesystem::path& folder,
+                                const AssumedUncertainty& assumed);
 
 }  // namespace rebound

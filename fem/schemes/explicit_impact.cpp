@@ -72,9 +72,11 @@ double allowed_step(double frequency_squared, double safety) {
 }
 
 /// First step: what the cells at rest allow. Called before any deformation.
-double step_at_rest(const CellBatches& cells, double safety) {
+double step_at_rest(const CellBatches& cells, const FemControls& controls) {
   const std::vector<double>& frequencies = cells.cell_frequency_squared();
-  return allowed_step(*std::max_element(frequencies.begin(), frequencies.end()), safety);
+  const double allowed = allowed_step(*std::max_element(frequencies.begin(), frequencies.end()),
+                                      controls.step_safety);
+  return controls.largest_step > 0.0 ? std::min(allowed, controls.largest_step) : allowed;
 }
 
 std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const Plate& plate) {
@@ -90,7 +92,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       kernel_(choose_cell_kernel()),
       material_(viscoelastic_constants(problem.material)),
       cells_(body, material_, kernel_.width),
-      first_step_(step_at_rest(cells_, problem.controls.step_safety)),
+      first_step_(step_at_rest(cells_, problem.controls)),
       step_before_(first_step_),
       step_(first_step_),
       smallest_step_(first_step_),
@@ -170,7 +172,9 @@ void ExplicitImpact::choose_next_step() {
   if (allowed < step_)
     step_ = 0.97 * allowed;
   else if (allowed > 1.1 * step_)
-    step_ *= 1.02;
+    step_ = problem_.controls.largest_step > 0.0
+                ? std::min(1.02 * step_, problem_.controls.largest_step)
+                : 1.02 * step_;
   smallest_step_ = std::min(smallest_step_, step_);
 }
 

@@ -11,6 +11,9 @@ namespace rebound {
 /// Resolution and recording of one FE impact. Zero means "choose".
 struct FemControls {
   double step_safety = 0.9;      ///< step over the stable step (implicit: over a 180th of the Hertz contact time), in (0, 1]
+  /// No step longer than this: below every stable step it fixes the step, as
+  /// differences between impacts want it (explicit); 0: no such limit [s].
+  double largest_step = 0.0;
   double output_interval = 0.0;  ///< trace spacing [s]; 0: a 200th of the Hertz contact time
   double end_time = 0.0;         ///< give up after this much contact [s]; 0: 20 Hertz contact times
   int shape_frames = 0;          ///< shapes kept in the result, over the contact; 0: none

@@ -42,6 +42,15 @@ TEST_F(CalibrateMaterial, RecoversABranchAndTheDropCarriesItsError) {
   EXPECT_LT(high - low, 0.1);
 }
 
+TEST_F(CalibrateMaterial, FitsTheForceOverTimeToo) {
+  folder.write("material.toml", file_ + "observable = \"force-time\"\n");
+  const Outcome outcome = rebound({"calibrate", "material.toml", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_NEAR(json["estimates"][0]["value"].get<double>(), 0.3, 0.01);
+  EXPECT_NEAR(json["estimates"][1]["value"].get<double>(), 0.3e-3, 0.02e-3);
+}
+
 TEST_F(CalibrateMaterial, AnUnknownNumberNamesThoseThereAre) {
   folder.write("material.toml", replaced(file_, "branch[0].ratio", "branch[3].ratio"));
   const Outcome outcome = rebound({"calibrate", "material.toml"});

@@ -44,6 +44,20 @@ std::vector<MeasuredImpact> impacts_of(const FemProblem& problem, const FemRunne
   return measured;
 }
 
+TEST(MaterialCalibrationTest, DifferencesHaveOneStep) {
+  // A step below all stable ones holds to the end, for materials a difference apart.
+  FemProblem problem = ball();
+  const FemRunner run = runner(problem);
+  problem.impact.speed = 20.0;
+  const double free = run(problem).smallest_step;
+  problem.controls.largest_step = 0.9 * free;
+  const FemResult below = run(problem);
+  problem.material.branches[0].ratio *= 1.02;
+  const FemResult above = run(problem);
+  EXPECT_EQ(below.smallest_step, 0.9 * free);
+  EXPECT_EQ(above.smallest_step, 0.9 * free);
+}
+
 TEST(MaterialCalibrationTest, RecoversABranch) {
   const FemProblem truth = ball();
   const FemRunner run = runner(truth);
