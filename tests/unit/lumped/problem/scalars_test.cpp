@@ -44,6 +44,11 @@ TEST(ScalarsTest, MeanDeflectionStopsAtSeparation) {
   EXPECT_EQ(scalars.restitution, 0.5);
 }
 
+TEST(ScalarsTest, OnePerCentOfThePeakIsTheThreshold) {
+  const ImpactScalars scalars = derive_scalars(half_sine(10001), {.speed = 2.0}, 1.0, 1.0);
+  EXPECT_NEAR(scalars.contact_time_1pct, 1.0 - 2.0 * std::asin(0.01) / std::numbers::pi, 1e-7);
+}
+
 TEST(ScalarsTest, RefusesUnequalColumns) {
   Trace trace = half_sine(10);
   trace.force.pop_back();
