@@ -52,15 +52,14 @@ MaterialCalibration fit(const Session& session, const MaterialCalibrationFile& f
   const auto numbers = material_numbers(start.material, file.reach);
   std::vector<FreeMaterialNumber> free;
   for (const auto& key : file.free) free.push_back(find_material_number(numbers, key));
+  CalibrationControls controls = file.controls;
+  controls.checkpoint = checkpoint;
   ProgressLine progress("calibration");
   const RunControl control = progress.control();
   try {
     return calibrate_material(start, measured.impacts, free,
                               fem_runner(start.sphere, start.cells, control), control,
-                              {.confidence = file.confidence,
-                               .starts = file.starts,
-                               .seed = static_cast<std::uint64_t>(file.seed),
-                               .checkpoint = checkpoint});
+                              controls);
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted || session.out.empty()) throw;
     throw Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
@@ -100,7 +99,7 @@ ExitCode calibrate_material_file(const Session& session, const std::string& path
   const std::string toml = write_toml(problem);
   Json json = {{"schema", 1}, {"tier", "fem"}, {"references", measured.labels}};
   json.update(to_json(found.fit));
-  json["seed"] = file.seed;
+  json["seed"] = file.controls.seed;
   json["model_toml"] = toml;
   if (!session.out.empty()) {
     Json stored = json;

@@ -54,8 +54,6 @@ void describe(Visitor& visit, Nuisances& nuisances) {
                nuisances.speed);
 }
 
-namespace {
-
 void describe_search(Visitor& visit, CalibrationControls& controls) {
   visit.whole({.name = "starts",
                .sentence = "Starting points of the search; the first comes from the traces.",
@@ -92,8 +90,6 @@ void describe_search(Visitor& visit, CalibrationControls& controls) {
                          {{"none", Profiles::skipped}, {"all", Profiles::each_parameter}},
                          controls.profiles);
 }
-
-}  // namespace
 
 void describe(Visitor& visit, CalibrationFile& file) {
   describe_schema(visit);

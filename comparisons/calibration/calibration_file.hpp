@@ -22,6 +22,8 @@ struct CalibrationFile {
 
 void describe(Visitor& visit, ReferenceFolder& reference);
 void describe(Visitor& visit, Nuisances& nuisances);
+/// Starts, seed, confidence, loss and profiles: what any tier's search is asked for.
+void describe_search(Visitor& visit, CalibrationControls& controls);
 void describe(Visitor& visit, CalibrationFile& file);
 
 /// The members of a request, without a table of their own.

@@ -109,6 +109,10 @@ void carry_back(Estimate& estimate) {
   estimate.value = std::exp(estimate.value);
   estimate.low = std::exp(estimate.low);
   estimate.high = std::exp(estimate.high);
+  if (!estimate.profile) return;
+  estimate.profile->low = std::exp(estimate.profile->low);
+  estimate.profile->high = std::exp(estimate.profile->high);
+  for (double& value : estimate.profile->value) value = std::exp(value);
 }
 
 }  // namespace
@@ -128,17 +132,14 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
                                        const std::vector<MeasuredImpact>& measured,
                                        const std::vector<FreeMaterialNumber>& free,
                                        const FemRunner& run, const RunControl& control,
-                                       const MaterialSearch& search) {
+                                       const CalibrationControls& controls) {
   const MaterialResiduals residuals(problem, measured, free, run);
   CalibrationProblem calibration;
   calibration.noise = NoiseKnowledge::known;
+  calibration.controls = controls;
   calibration.controls.relative_step = difference_step;
   calibration.controls.cost_tolerance = cost_tolerance;
   calibration.controls.iterations = 50;
-  calibration.controls.confidence = search.confidence;
-  calibration.controls.starts = search.starts;
-  calibration.controls.seed = search.seed;
-  calibration.controls.checkpoint = search.checkpoint;
   for (const auto& unknown : free) {
     Material start = problem.material;
     calibration.parameters.push_back({.name = name_of(unknown),

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include "comparisons/calibration/calibration_problem.hpp"
@@ -33,13 +31,6 @@ struct MaterialCalibration {
   CalibrationResult fit;  ///< estimates in SI, by names such as "branch 1 ratio"
 };
 
-struct MaterialSearch {
-  double confidence = 0.95;            ///< of the intervals
-  int starts = 1;                      ///< the start given, then seeded ones within the bounds
-  std::uint64_t seed = 1;
-  std::filesystem::path checkpoint{};  ///< as CalibrationControls::checkpoint
-};
-
 /// Fits numbers of a viscoelastic material to measured restitutions and
 /// contact times, FE impact by FE impact. Peak force and deflections take no
 /// part: they are left as a check.
@@ -50,6 +41,9 @@ struct MaterialSearch {
 /// Derivatives are differences on one mesh and at one step, the same for all
 /// impacts of a difference: without that the step follows the material, and its
 /// changes are noise of 1e-4 in contact time -> test MaterialCalibrationTest.DifferencesHaveOneStep.
+///
+/// Of `controls`, step, tolerance and number of iterations are the scheme's own
+/// and not taken over.
 ///
 /// The unknowns are all positive and are searched as logarithms; intervals
 /// are those of the logarithm, carried back.
@@ -63,7 +57,7 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
                                        const std::vector<MeasuredImpact>& measured,
                                        const std::vector<FreeMaterialNumber>& free,
                                        const FemRunner& run, const RunControl& control = {},
-                                       const MaterialSearch& search = {});
+                                       const CalibrationControls& controls = {});
 
 /// FE impacts of one material at all measured speeds, two at a time.
 std::vector<FemResult> run_impacts(const FemProblem& problem, const std::vector<Impact>& impacts,

@@ -1,5 +1,6 @@
 #include "comparisons/calibration/material_calibration_file.hpp"
 
+#include "comparisons/calibration/calibration_file.hpp"
 #include "comparisons/config/describe_impact.hpp"
 
 namespace rebound {
@@ -38,16 +39,7 @@ void describe(Visitor& visit, MaterialCalibrationFile& file) {
                 .presence = Presence::optional,
                 .range = between(1.0, 1e4)},
                file.reach);
-  visit.whole({.name = "starts",
-               .sentence = "Starting points of the search: the model's, then seeded ones.",
-               .presence = Presence::optional, .range = from_to(1.0, 1000.0)},
-              file.starts);
-  visit.whole({.name = "seed", .sentence = "Seed of the further starting points.",
-               .presence = Presence::optional, .range = at_least(0.0)},
-              file.seed);
-  visit.number({.name = "confidence", .sentence = "Confidence of the intervals.",
-                .presence = Presence::optional, .range = between(0.0, 1.0)},
-               file.confidence);
+  describe_search(visit, file.controls);
   visit.number({.name = "restitution_uncertainty",
                 .sentence = "Standard deviation of a restitution that states none.",
                 .presence = Presence::optional, .range = above(0.0)},

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/calibration/calibration_problem.hpp"
 #include "comparisons/config/visitor.hpp"
 
 namespace rebound {
@@ -18,9 +19,7 @@ struct MaterialCalibrationFile {
   MaterialObservable observable = MaterialObservable::scalars;
   double force_uncertainty = 0.01; ///< of a trace that states none, over its peak [-]
   double reach = 30.0;             ///< bounds: this many times the start either way
-  int starts = 6;
-  int seed = 1;
-  double confidence = 0.95;
+  CalibrationControls controls{.starts = 6};
   double restitution_uncertainty = 0.01;   ///< where none is stated [-]
   double contact_time_uncertainty = 0.01;  ///< where none is stated, over the value [-]
 };

@@ -43,12 +43,16 @@ TEST_F(CalibrateMaterial, RecoversABranchAndTheDropCarriesItsError) {
 }
 
 TEST_F(CalibrateMaterial, FitsTheForceOverTimeToo) {
-  folder.write("material.toml", file_ + "observable = \"force-time\"\n");
+  folder.write("material.toml", file_ + "observable = \"force-time\"\nprofiles = \"all\"\n");
   const Outcome outcome = rebound({"calibrate", "material.toml", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_NEAR(json["estimates"][0]["value"].get<double>(), 0.3, 0.01);
   EXPECT_NEAR(json["estimates"][1]["value"].get<double>(), 0.3e-3, 0.02e-3);
+  const auto& profile = json["estimates"][0]["profile"];
+  ASSERT_FALSE(profile.is_null()) << json["estimates"][0].dump();
+  EXPECT_LT(profile["interval"][0].get<double>(), json["estimates"][0]["value"].get<double>());
+  EXPECT_GT(profile["interval"][1].get<double>(), json["estimates"][0]["value"].get<double>());
 }
 
 TEST_F(CalibrateMaterial, AnUnknownNumberNamesThoseThereAre) {
