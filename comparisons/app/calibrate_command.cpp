@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "comparisons/app/calibrate_material.hpp"
-#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/calibration_output.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/calibration/calibration_file.hpp"
@@ -16,7 +16,6 @@
 #include "comparisons/config/reader.hpp"
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/references/read_references.hpp"
-#include "comparisons/results/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -56,38 +55,20 @@ ExitCode run_calibrate(const Session& session, const std::string& path) {
   read_document(document, file);
   std::vector<std::string> labels;
   const std::vector<ReferenceShot> shots = read_shots(document, file, labels);
-  if (!session.out.empty()) {
-    make_writable_folder(session.out);
-    file.options.controls.checkpoint = session.out / "checkpoint.json";
-  }
+  file.options.controls.checkpoint = checkpoint_of(session);
   const LawCalibration calibration = [&] {
     ProgressLine progress("calibration");
     try {
       return calibrate(file.request, shots, file.options, progress.control());
     } catch (const Error& error) {
-      if (error.code() != ExitCode::interrupted || session.out.empty())
-        throw error.location().file.empty() ? document.located(error) : error;
-      throw Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
-                  {.file = file.options.controls.checkpoint.string()});
+      throw told_of(error, document, file.options.controls.checkpoint);
     }
   }();
-  const std::string toml = impact_file_of(calibration, shots);
-  Json json = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}};
-  json.update(to_json(calibration.fit));
-  json["seed"] = file.options.controls.seed;
-  json["model_toml"] = toml;
-  if (!session.out.empty()) {
-    Json stored = json;
-    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
-    write_file_atomically(session.out / "calibrated.toml", toml);
-    write_file_atomically(session.out / "calibration.json", dump(stored));
-    std::filesystem::remove(file.options.controls.checkpoint);
-  }
-  if (session.json())
-    fmt::print("{}", dump(json));
-  else
-    fmt::print("{}\n{}", to_text(calibration.fit), toml);
-  return calibration.fit.converged ? ExitCode::done : ExitCode::solver_failed;
+  return put_out(session, document, path,
+                 {.head = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}},
+                  .fit = calibration.fit,
+                  .seed = file.options.controls.seed,
+                  .model_toml = impact_file_of(calibration, shots)});
 }
 
 }  // namespace

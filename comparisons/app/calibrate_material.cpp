@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
-#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/calibration_output.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/calibration/material_calibration_file.hpp"
 #include "comparisons/config/impact_file.hpp"
@@ -14,7 +13,6 @@
 #include "comparisons/config/toml_writer.hpp"
 #include "comparisons/modules/fem_runner.hpp"
 #include "comparisons/references/measured_impacts.hpp"
-#include "comparisons/results/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -46,25 +44,15 @@ MeasuredBall measured_of(const Document& document, const MaterialCalibrationFile
   return all;
 }
 
-MaterialCalibration fit(const Session& session, const MaterialCalibrationFile& file,
-                        const FemProblem& start, const MeasuredBall& measured,
-                        const std::filesystem::path& checkpoint) {
+MaterialCalibration fit(const MaterialCalibrationFile& file, const FemProblem& start,
+                        const MeasuredBall& measured) {
   const auto numbers = material_numbers(start.material, file.reach);
   std::vector<FreeMaterialNumber> free;
   for (const auto& key : file.free) free.push_back(find_material_number(numbers, key));
-  CalibrationControls controls = file.controls;
-  controls.checkpoint = checkpoint;
   ProgressLine progress("calibration");
   const RunControl control = progress.control();
-  try {
-    return calibrate_material(start, measured.impacts, free,
-                              fem_runner(start.sphere, start.cells, control), control,
-                              controls);
-  } catch (const Error& error) {
-    if (error.code() != ExitCode::interrupted || session.out.empty()) throw;
-    throw Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
-                {.file = checkpoint.string()});
-  }
+  return calibrate_material(start, measured.impacts, free,
+                            fem_runner(start.sphere, start.cells, control), control, file.controls);
 }
 
 }  // namespace
@@ -81,38 +69,22 @@ ExitCode calibrate_material_file(const Session& session, const std::string& path
   if (!problem.mesh_file.empty())
     throw document.error_at("model", "a calibration makes its own mesh: the model names a mesh file");
   const MeasuredBall measured = measured_of(document, file, problem.sphere);
-  std::filesystem::path checkpoint;
-  if (!session.out.empty()) {
-    make_writable_folder(session.out);
-    checkpoint = session.out / "checkpoint.json";
-  }
+  file.controls.checkpoint = checkpoint_of(session);
   MaterialCalibration found = [&] {
     try {
-      return fit(session, file, problem, measured, checkpoint);
+      return fit(file, problem, measured);
     } catch (const Error& error) {
-      throw error.location().file.empty() ? document.located(error) : error;
+      throw told_of(error, document, file.controls.checkpoint);
     }
   }();
   found.fit.warnings.insert(found.fit.warnings.end(), measured.notes.begin(), measured.notes.end());
   problem.material = found.material;
   problem.impact.speed = measured.impacts.front().impact.speed;
-  const std::string toml = write_toml(problem);
-  Json json = {{"schema", 1}, {"tier", "fem"}, {"references", measured.labels}};
-  json.update(to_json(found.fit));
-  json["seed"] = file.controls.seed;
-  json["model_toml"] = toml;
-  if (!session.out.empty()) {
-    Json stored = json;
-    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
-    write_file_atomically(session.out / "calibrated.toml", toml);
-    write_file_atomically(session.out / "calibration.json", dump(stored));
-    std::filesystem::remove(checkpoint);
-  }
-  if (session.json())
-    fmt::print("{}", dump(json));
-  else
-    fmt::print("{}\n{}", to_text(found.fit), toml);
-  return found.fit.converged ? ExitCode::done : ExitCode::solver_failed;
+  return put_out(session, document, path,
+                 {.head = {{"schema", 1}, {"tier", "fem"}, {"references", measured.labels}},
+                  .fit = found.fit,
+                  .seed = file.controls.seed,
+                  .model_toml = write_toml(problem)});
 }
 
 }  // namespace rebound

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/config/describe_compression.hpp"
@@ -57,12 +56,7 @@ ExitCode run_compress(const Session& session, const std::string& file) {
                   .provenance = provenance},
                  result);
   }
-  if (!result.incomplete_because.empty()) {
-    const std::string kept =
-        session.out.empty() ? "" : fmt::format("; what is known is in {}", session.out.string());
-    throw Error(interrupted() ? ExitCode::interrupted : ExitCode::solver_failed,
-                result.incomplete_because + kept, {.file = file});
-  }
+  require_complete(session, file, result.incomplete_because);
   print_result(session, to_json(result));
   return ExitCode::done;
 }

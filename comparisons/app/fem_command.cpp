@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/app/interruption.hpp"
 #include "comparisons/app/memory_needed.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
@@ -110,12 +109,7 @@ ExitCode run_fem(const Session& session, const std::string& file, Errors errors)
                   .further_keys = outcome.json},
                  outcome.result);
   }
-  if (!outcome.result.incomplete_because.empty()) {
-    const std::string kept =
-        session.out.empty() ? "" : fmt::format("; what is known is in {}", session.out.string());
-    throw Error(interrupted() ? ExitCode::interrupted : ExitCode::solver_failed,
-                outcome.result.incomplete_because + kept, {.file = file});
-  }
+  require_complete(session, file, outcome.result.incomplete_because);
   print_result(session, outcome.json);
   return ExitCode::done;
 }

@@ -4,6 +4,9 @@
 
 #include <cstdio>
 
+#include "comparisons/app/interruption.hpp"
+#include "lumped/problem/error.hpp"
+
 namespace rebound {
 
 void print_result(const Session& session, const Json& result) {
@@ -18,6 +21,15 @@ void print_result(const Session& session, const Json& result) {
                                                      : value.dump();
     fmt::print("{:<28}{}\n", key, text);
   }
+}
+
+void require_complete(const Session& session, const std::string& file,
+                      const std::string& incomplete_because) {
+  if (incomplete_because.empty()) return;
+  const std::string kept =
+      session.out.empty() ? "" : fmt::format("; what is known is in {}", session.out.string());
+  throw Error(interrupted() ? ExitCode::interrupted : ExitCode::solver_failed,
+              incomplete_because + kept, {.file = file});
 }
 
 }  // namespace rebound

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "comparisons/instrument/reported_force.hpp"
 #include "comparisons/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/scalars.hpp"
@@ -24,23 +25,14 @@ Material with_numbers(Material material, const std::vector<FreeMaterialNumber>& 
   return material;
 }
 
-/// The trace at a time; zero outside.
-double force_at(const Trace& trace, double time) {
-  const auto above = std::upper_bound(trace.time.begin(), trace.time.end(), time);
-  if (above == trace.time.begin() || above == trace.time.end()) return 0.0;
-  const auto i = static_cast<std::size_t>(above - trace.time.begin());
-  const double part = (time - trace.time[i - 1]) / (trace.time[i] - trace.time[i - 1]);
-  return trace.force[i - 1] + part * (trace.force[i] - trace.force[i - 1]);
-}
-
 void add_residuals(const FemResult& result, const MeasuredImpact& measured,
                    std::vector<double>& residuals) {
   if (!result.incomplete_because.empty())
     throw Error(ExitCode::solver_failed, result.incomplete_because);
   if (!measured.trace.time.empty()) {
-    for (std::size_t k = 0; k < measured.trace.time.size(); ++k)
-      residuals.push_back((force_at(result.trace, measured.trace.time[k]) - measured.trace.force[k]) /
-                          measured.force_uncertainty);
+    const std::vector<double> force = reported_force(result.trace, {}, measured.trace.time);
+    for (std::size_t k = 0; k < force.size(); ++k)
+      residuals.push_back((force[k] - measured.trace.force[k]) / measured.force_uncertainty);
     return;
   }
   const double time = time_above(result.trace, measured.contact_threshold);

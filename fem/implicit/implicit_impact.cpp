@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "fem/implicit/equilibrium.hpp"
+#include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "lumped/problem/error.hpp"
-#include "lumped/problem/scalars.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -249,19 +249,16 @@ FemResult ImplicitImpact::finish(std::string incomplete_because) {
 }
 
 void ImplicitImpact::conclude(FemResult& result) const {
-  const double v0 = problem_.impact.speed;
-  const double speed_now = forces_.axial_mass().dot(now_.v) / body_.mass;
-  const double g = problem_.gravity;
-  const double rebound = recorder_.total_impulse() / body_.mass - v0 - g * last_contact_;
-  result.scalars = derive_scalars(result.trace, problem_.impact, last_contact_, rebound);
-  result.restitution_momentum = (speed_now + g * (now_.time - last_contact_)) / v0;
-  const double expected = body_.mass * (v0 + speed_now + g * now_.time);
-  result.closures.impulse =
-      std::abs(integral(result.trace.time, recorder_.contact_force()) - expected) / expected;
-  result.closures.energy = worst_energy_error_;
-  result.contact_radius_peak = contact_radius_peak_;
-  result.vibrational_energy_share = (book_.kinetic_vibration + book_.stored) / initial_kinetic_;
-  result.contact_constraint_share = book_.contact_constraint / initial_kinetic_;
+  conclude_impact(problem_, recorder_,
+                  {.mass = body_.mass,
+                   .speed = forces_.axial_mass().dot(now_.v) / body_.mass,
+                   .time = now_.time,
+                   .last_contact = last_contact_,
+                   .initial_kinetic = initial_kinetic_,
+                   .energy_error = worst_energy_error_,
+                   .contact_radius_peak = contact_radius_peak_,
+                   .energies = book_},
+                  result);
 }
 
 void refuse(const char* key, const char* what) {

@@ -11,10 +11,10 @@
 #include "fem/output/field_writer.hpp"
 #include "fem/output/shape_recorder.hpp"
 #include "fem/schemes/body_motion.hpp"
+#include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "fem/schemes/prony_steps.hpp"
-#include "lumped/problem/scalars.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -267,23 +267,17 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
 }
 
 void ExplicitImpact::conclude(FemResult& result) const {
-  const double v0 = problem_.impact.speed;
   const double mass = motion_.total_mass();
-  const double now = time_ - 0.5 * step_before_;  // velocities belong to half steps
-  const double fallen = problem_.gravity * (now - last_contact_);
-  const double rebound =
-      recorder_.total_impulse() / mass - v0 - problem_.gravity * last_contact_;
-  const double speed_now = motion_.sums().momentum / mass;
-  result.scalars = derive_scalars(result.trace, problem_.impact, last_contact_, rebound);
-  result.restitution_momentum = (speed_now + fallen) / v0;
-  const double expected_impulse = mass * (v0 + speed_now + problem_.gravity * now);
-  result.closures.impulse =
-      std::abs(integral(result.trace.time, recorder_.contact_force()) - expected_impulse) /
-      expected_impulse;
-  result.closures.energy = worst_energy_error_;
-  result.contact_radius_peak = contact_radius_peak_;
-  result.vibrational_energy_share = (book_.kinetic_vibration + book_.stored) / initial_kinetic_;
-  result.contact_constraint_share = book_.contact_constraint / initial_kinetic_;
+  conclude_impact(problem_, recorder_,
+                  {.mass = mass,
+                   .speed = motion_.sums().momentum / mass,
+                   .time = time_ - 0.5 * step_before_,  // velocities belong to half steps
+                   .last_contact = last_contact_,
+                   .initial_kinetic = initial_kinetic_,
+                   .energy_error = worst_energy_error_,
+                   .contact_radius_peak = contact_radius_peak_,
+                   .energies = book_},
+                  result);
 }
 
 }  // namespace

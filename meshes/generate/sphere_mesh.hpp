@@ -24,10 +24,9 @@ namespace rebound {
 ///   cells = 2n² + 4nm,   m/n about 0.4
 ///
 /// Valid:   cells ≥ 20, 1 ≤ grading ≤ 200.
-/// Limit:   scaled Jacobian above 0.5, the count within 5 % from 150 cells,
-///          volume of second order -> tests SphereMeshTest.
-/// Caution: five cells meet at no vertex and three at each core corner; those
-///          cells are the smallest angles of the mesh.
+/// Limit:   from 150 cells the count within 5 % and the scaled Jacobian above 0.7 at
+///          any grading, volume of second order -> tests SphereMeshTest.
+/// Caution: three cells meet at each corner of the core: the smallest angles.
 /// Errors:  Error(bad_input) outside that.
 /// Source:  Möbius maps: Needham, Visual Complex Analysis (1997), ch. 3.
 Mesh generate_sphere_mesh(const SphereMeshRequest& request);

@@ -73,6 +73,13 @@ TEST(SphereMeshTest, VolumeConvergesToTheSphere) {
   }
 }
 
+TEST(SphereMeshTest, AnyGradingKeepsTheAngles) {
+  for (const int cells : {150, 1000})
+    for (const double grading : {1.0, 30.0, 200.0})
+      EXPECT_GT(measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading}))
+                    .worst_scaled_jacobian, 0.7) << cells << " grading " << grading;
+}
+
 TEST(SphereMeshTest, SmallestMeshesAreUsable) {
   // Below 150 cells a corner can be sharp, but none is turned over.
   for (const int cells : {20, 60, 100})

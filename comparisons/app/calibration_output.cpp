@@ -1,0 +1,45 @@
+#include "comparisons/app/calibration_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "comparisons/app/calibration_text.hpp"
+#include "comparisons/results/atomic_file.hpp"
+
+namespace rebound {
+
+std::filesystem::path checkpoint_of(const Session& session) {
+  if (session.out.empty()) return {};
+  make_writable_folder(session.out);
+  return session.out / "checkpoint.json";
+}
+
+Error told_of(const Error& error, const Document& document, const std::filesystem::path& checkpoint) {
+  if (error.code() == ExitCode::interrupted && !checkpoint.empty())
+    return Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
+                 {.file = checkpoint.string()});
+  return error.location().file.empty() ? document.located(error) : error;
+}
+
+ExitCode put_out(const Session& session, const Document& document, const std::string& path,
+                 const CalibrationOutput& output) {
+  Json json = output.head;
+  json.update(to_json(output.fit));
+  json["seed"] = output.seed;
+  json["model_toml"] = output.model_toml;
+  if (!session.out.empty()) {
+    Json stored = json;
+    stored["provenance"] = to_json(provenance_of(session, path, document.text()));
+    write_file_atomically(session.out / "calibrated.toml", output.model_toml);
+    write_file_atomically(session.out / "calibration.json", dump(stored));
+    std::filesystem::remove(checkpoint_of(session));
+  }
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    fmt::print("{}\n{}", to_text(output.fit), output.model_toml);
+  return output.fit.converged ? ExitCode::done : ExitCode::solver_failed;
+}
+
+}  // namespace rebound
