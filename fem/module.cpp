@@ -5,6 +5,7 @@
 #include "fem/implicit/static_compression.hpp"
 #include "fem/schemes/explicit_impact.hpp"
 #include "fem/materials/uniaxial.hpp"
+#include "fem/verification/element_checks.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/modules.hpp"
 
@@ -61,6 +62,10 @@ class LoadedMaterialLaws final : public rebound::MaterialLaws {
 extern "C" const rebound::MaterialLaws* rebound_material_laws(unsigned long stamp) {
   static const LoadedMaterialLaws laws;
   return stamp == rebound::interface_stamp ? &laws : nullptr;
+}
+
+extern "C" const rebound::ElementChecks* rebound_element_checks(unsigned long stamp) {
+  return stamp == rebound::interface_stamp ? &rebound::fem::element_checks() : nullptr;
 }
 
 extern "C" const rebound::FemTier* rebound_fem_tier(unsigned long stamp) {

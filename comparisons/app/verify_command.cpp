@@ -7,63 +7,103 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/foams/foam_rows.hpp"
+#include "comparisons/modules/element_checks.hpp"
 #include "comparisons/modules/material_laws.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/report/write_report.hpp"
 #include "comparisons/results/atomic_file.hpp"
+#include "comparisons/verification/element_rungs.hpp"
 #include "comparisons/verification/fem_rungs.hpp"
 #include "comparisons/verification/lumped_rungs.hpp"
 #include "comparisons/verification/mesh_family.hpp"
-#include "comparisons/verification/second_scheme_rungs.hpp"
+#include "comparisons/verification/ting_rung.hpp"
 #include "comparisons/verification/verification_report.hpp"
 #include "comparisons/verification/verification_text.hpp"
 
 namespace rebound {
 namespace {
 
-void append(VerificationTable& table, VerificationTable rows) {
-  for (VerificationRow& row : rows) table.push_back(std::move(row));
+using Control = const RunControl&;
+
+std::vector<LadderPart> lumped_parts() {
+  return {{"Lumped laws (f, h)", 0.1, [](Control) { return VerificationPart{verify_lumped()}; }},
+          {"Viscoelastic contact (e, lumped)", 0.5,
+           [](Control) { return VerificationPart{verify_viscoelastic_contact()}; }},
+          {"Error estimator", 0.1, [](Control) { return VerificationPart{verify_estimator()}; }}};
 }
 
-struct Verification {
-  VerificationTable table;
-  std::vector<FamilyImpact> family;  ///< empty without the FE tier
-};
+std::vector<LadderPart> fem_parts(const FemTier& tier, const ElementChecks& checks) {
+  return {
+      {"Manufactured solution (a)", 0.3, [&](Control) { return verify_fields(checks); }},
+      {"Free vibration (b)", 0.9, [&](Control) { return verify_free_vibration(checks); }},
+      {"Static contact (c)", 1.0, [&](Control c) { return verify_static_contact(tier, c); }},
+      {"Elastic impact of the sphere (d)", 3.0, [&](Control c) { return verify_sphere_impacts(tier, c); }},
+      {"Bar (d')", 0.5, [&](Control c) { return verify_bar(tier, c); }},
+      {"Standard linear solid along a triangle (e)", 4.5,
+       [&](Control c) { return verify_ting(tier, CompressionPath::triangle, c); }},
+      {"Standard linear solid along a half sine (e)", 4.5,
+       [&](Control c) { return verify_ting(tier, CompressionPath::half_sine, c); }},
+      {"Viscoelastic cells (g)", 0.6, [&](Control) { return verify_viscoelastic_cells(checks); }},
+      {"Both schemes", 3.0, [&](Control c) { return verify_schemes(tier, c); }},
+      {"Free plate", 0.5, [&](Control c) { return verify_free_plate(tier, c); }},
+      {"Error bars", 1.0, [&](Control c) { return verify_error_bars(tier, c); }},
+      {"Closed cycles", 1.0, [&](Control) { return verify_dissipation(checks); }},
+      {"Published contact", 1.0, [&](Control c) { return verify_published_contact(tier, c); }},
+      {"Published rod", 0.3, [&](Control) { return verify_published_rod(checks); }},
+      {"Published foams", 0.1,
+       [](Control) { return VerificationPart{verify_foams(material_laws(), published_foams())}; }}};
+}
 
-Verification verify(const std::string& tier) {
-  Verification found;
-  VerificationTable& table = found.table;
-  if (tier != "fem") {
-    append(table, verify_lumped());
-    append(table, verify_estimator());
-  }
+/// By itself: what it measures depends on what else runs.
+std::vector<LadderPart> cost_parts(const FemTier& tier) {
+  return {{"Finite elements under refinement", 4.0, [&](Control control) {
+             const auto family = run_mesh_family(tier, control);
+             return VerificationPart{rows_of(family), figures_of(family)};
+           }}};
+}
+
+void append(LadderOutcome& outcome, LadderOutcome more) {
+  for (auto& one : more.complete) outcome.complete.push_back(std::move(one));
+  for (auto& name : more.not_run) outcome.not_run.push_back(std::move(name));
+}
+
+LadderOutcome verify(const std::string& tier) {
+  LadderOutcome found;
+  if (tier != "fem") append(found, run_ladder(lumped_parts(), {}));
   if (tier == "lumped") return found;
   if (tier == "all" && !has_fem_tier()) {
     fmt::print(stderr, "rebound: built without the FE tier; its rungs are left out\n");
     return found;
   }
+  const FemTier& fem = fem_tier();
+  material_laws();  // loaded before there are threads
   ProgressLine progress("FE rungs");
-  append(table, verify_foams(material_laws(), published_foams()));
-  append(table, verify_fem(fem_tier(), progress.control()));
-  append(table, verify_second_scheme(fem_tier(), progress.control()));
-  found.family = run_mesh_family(fem_tier(), progress.control());
-  append(table, rows_of(found.family));
+  append(found, run_ladder(fem_parts(fem, element_checks()), progress.control()));
+  append(found, run_ladder(cost_parts(fem), progress.control()));
   return found;
+}
+
+void write_all(const Session& session, const LadderOutcome& ladder, Json stored, bool foams) {
+  stored["provenance"] = to_json(provenance_of(session, "", ""));
+  write_file_atomically(session.out / "verify.json", dump(stored));
+  write_file_atomically(session.out / "verify.csv", to_csv(ladder.rows()));
+  report::write_report(verification_report(ladder), session.out / "report.html");
+  if (foams) write_foam_curves(material_laws(), published_foams(), session.out);
 }
 
 ExitCode run_verify(const Session& session, const std::string& tier) {
   if (!session.out.empty()) make_writable_folder(session.out);
-  const auto [table, family] = verify(tier);
-  const Json json = to_json(table);
-  if (!session.out.empty()) {
-    Json stored = json;
-    stored["provenance"] = to_json(provenance_of(session, "", ""));
-    write_file_atomically(session.out / "verify.json", dump(stored));
-    report::write_report(verification_report(table, family), session.out / "report.html");
-    if (tier != "lumped" && has_fem_tier())
-      write_foam_curves(material_laws(), published_foams(), session.out);
-  }
+  const LadderOutcome ladder = verify(tier);
+  const VerificationTable table = ladder.rows();
+  Json json = to_json(table);
+  json["not_run"] = ladder.not_run;
+  if (!session.out.empty()) write_all(session, ladder, json, tier != "lumped" && has_fem_tier());
   fmt::print("{}", session.json() ? dump(json) : to_text(table));
+  if (!ladder.not_run.empty()) {
+    fmt::print(stderr, "rebound: interrupted; {} rows are complete; not run: {}\n", table.size(),
+               fmt::join(ladder.not_run, ", "));
+    return ExitCode::interrupted;
+  }
   return all_pass(table) ? ExitCode::done : ExitCode::comparison_failed;
 }
 
@@ -75,8 +115,10 @@ Action declare_verify(CLI::App& command) {
       ->check(CLI::IsMember({"lumped", "fem", "all"}))
       ->capture_default_str();
   command.footer([] {
-    return "Exit code 1 where a row fails. --out writes verify.json, report.html and, with the FE "
-           "tier, the curves of published foams (foams.csv, foams.html).\n\n" + exit_code_help();
+    return "Exit code 1 where a row fails. Ctrl-C prints the rows that are complete and names the parts "
+           "that were not run. --out writes verify.json, verify.csv, report.html with convergence plots "
+           "and, with the FE tier, the curves of published foams (foams.csv, foams.html).\n\n" +
+           exit_code_help();
   });
   return [tier](const Session& session) { return run_verify(session, *tier); };
 }

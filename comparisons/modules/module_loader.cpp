@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "comparisons/modules/element_checks.hpp"
 #include "comparisons/modules/material_laws.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -56,6 +57,11 @@ std::string module_file(const std::string& name) {
 const FemTier& fem_tier() {
   static const FemTier& tier = load<FemTier>("rebound_fem", fem_entry_point);
   return tier;
+}
+
+const ElementChecks& element_checks() {
+  static const ElementChecks& checks = load<ElementChecks>("rebound_fem", element_checks_entry_point);
+  return checks;
 }
 
 const MaterialLaws& material_laws() {

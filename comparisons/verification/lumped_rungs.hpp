@@ -8,6 +8,10 @@ namespace rebound {
 /// closed forms and integrations at higher accuracy. Milliseconds.
 VerificationTable verify_lumped();
 
+/// Rung e, lumped: Ting's foundation along two paths and in impacts at six
+/// speeds, against tables. A second.
+VerificationTable verify_viscoelastic_contact();
+
 /// The error estimator against its published example.
 VerificationTable verify_estimator();
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "comparisons/verification/known_impact.hpp"
 #include "comparisons/verification/targets.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
@@ -61,25 +63,38 @@ double ripple_between(const FemResult& coarser, const FemResult& finer) {
 }
 
 std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl& control) {
-  FemProblem problem;
-  problem.sphere = {.mass = targets::ball_mass, .diameter = 2.0 * targets::ball_radius};
-  problem.impact.speed = 15.0;
-  problem.material = {.youngs_modulus = targets::ball_modulus,
-                      .poisson_ratio = targets::ball_poisson_ratio};
+  FemProblem problem = ball_problem(FemScheme::explicit_steps, 15.0);
   problem.controls.output_interval = sampled_every;
   std::vector<FamilyImpact> family;
   for (int cells = 250; cells <= 16000; cells *= 2) {
     const Mesh mesh = generate_sphere_mesh({.radius = targets::ball_radius, .cells = cells});
-    FemResult result = tier.simulate(problem, mesh, {.interrupted = control.interrupted});
-    if (!result.incomplete_because.empty())
-      throw Error(control.interrupted && control.interrupted() ? ExitCode::interrupted
-                                                               : ExitCode::solver_failed,
-                  fmt::format("{} cells: {}", cells, result.incomplete_because));
+    FemResult result = complete_impact(tier, problem, mesh, control, fmt::format("{} cells", cells));
     family.push_back({.result = std::move(result), .ripple = {}});
   }
   for (std::size_t i = 0; i + 2 < family.size(); ++i)
     family[i].ripple = ripple_between(family[i].result, family[i + 2].result);
   return family;
+}
+
+Refinement constraint_refinement(const std::vector<FamilyImpact>& family) {
+  Refinement work{.name = "the constraint work, 15 m/s", .size = {}, .error = {},
+                  .expected_order = 1.0, .tolerance = 0.3};
+  for (const FamilyImpact& member : family) {
+    work.size.push_back(targets::ball_radius *
+                        std::sqrt(0.5 * std::numbers::pi / member.result.cells));
+    work.error.push_back(member.result.contact_constraint_share);
+  }
+  return work;
+}
+
+Refinement cost_growth(const std::vector<FamilyImpact>& family) {
+  Refinement cost{.name = "step loop", .size = {}, .error = {}, .expected_order = 1.6,
+                  .left_out = 2};
+  for (const FamilyImpact& member : family) {
+    cost.size.push_back(member.result.cells);
+    cost.error.push_back(member.result.wall_seconds);
+  }
+  return cost;
 }
 
 VerificationTable rows_of(const std::vector<FamilyImpact>& family) {
@@ -113,7 +128,18 @@ VerificationTable rows_of(const std::vector<FamilyImpact>& family) {
                                    fine.scalars.peak_deflection),
            .tolerance = 0.5,
            .scale = ToleranceScale::absolute,
-           .source = "bilinear cells, central differences"}};
+           .source = "bilinear cells, central differences"},
+          order_row("convergence", constraint_refinement(family),
+                    "plastic catch of nodes: first order in the cell"),
+          {.rung = "cost",
+           .quantity = fmt::format("power of the cells that the time grows with, {} to {} cells",
+                                   coarse.cells, fine.cells),
+           .unit = "",
+           .target = 1.6,
+           .result = fitted_order(cost_growth(family)),
+           .tolerance = 0.0,
+           .scale = ToleranceScale::upper_bound,
+           .source = "cells times steps is 1.5"}};
 }
 
 }  // namespace rebound

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "comparisons/verification/verification_row.hpp"
+#include "comparisons/verification/refinement.hpp"
+#include "comparisons/verification/verification_part.hpp"
 #include "lumped/problem/modules.hpp"
 
 namespace rebound {
@@ -28,7 +29,17 @@ double ripple_between(const FemResult& coarser, const FemResult& finer);
 /// Some seconds. Errors: Error(solver_failed), Error(interrupted).
 std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl& control);
 
-/// Ripple at about 4000 cells; observed orders of restitution and deflection.
+/// Constraint work over kinetic energy by mean cell size, order 1 expected.
+Refinement constraint_refinement(const std::vector<FamilyImpact>& family);
+
+/// Seconds of the step loop over the cells: the "order" is the power they grow with.
+Refinement cost_growth(const std::vector<FamilyImpact>& family);
+
+/// Ripple at about 4000 cells; observed orders of restitution, deflection and
+/// constraint work; power of the cells that the cost grows with.
 VerificationTable rows_of(const std::vector<FamilyImpact>& family);
+
+/// Convergence, constraint work, ripple and cost over the cells.
+std::vector<report::Figure> figures_of(const std::vector<FamilyImpact>& family);
 
 }  // namespace rebound

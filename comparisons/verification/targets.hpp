@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 /// Known answers of the verification ladder, one place for the command and the
 /// tests. Figures are closed forms or integrations at higher accuracy than is
 /// asked here; their source stands beside each.
@@ -60,5 +63,85 @@ inline constexpr StaticContact static_contacts[] = {
 inline constexpr double bar_radius = 0.01, bar_length = 0.05, bar_speed = 0.1;  // [m], [m], [m/s]
 inline constexpr double bar_density = 589.8416, bar_modulus = 10e6;             // [kg/m³], [Pa]
 inline constexpr double bar_time = 0.7680115e-3, bar_stress = 7680.11;          // [s], [Pa]
+
+/// Rung a, patch test: nominal stresses of a uniform neo-Hookean deformation,
+/// μ = 1 Pa, λ = 4 Pa.
+struct UniformPatch {
+  double radial_stretch, axial_stretch;
+  double radial_stress, axial_stress;  // [Pa]
+};
+inline constexpr UniformPatch uniform_patches[] = {
+    {1.1, 0.9, 0.5009448870939033, 0.1678215286703263},
+    {0.8, 1.3, -1.369614190804642, -0.03514719434131834},
+    {0.5, 0.5, -18.13553233343869, -18.13553233343869},
+    {1.5, 0.6, 1.633612246534235, 0.9340306163355872}};
+
+/// Rung b: free vibration of the ball of rung d, Lamb's frequency equations.
+struct SphereMode {
+  const char* name;
+  int place;         // among the axisymmetric frequencies; -1: the radial mode
+  double frequency;  // [Hz]
+};
+inline constexpr SphereMode sphere_modes[] = {{"spheroidal l = 2", 0, 994.09185},
+                                              {"spheroidal l = 1", 1, 1390.6296},
+                                              {"spheroidal l = 3", 2, 1486.524},
+                                              {"radial", -1, 2654.6584}};
+
+/// Rung g: Cauchy stress under a ramp of 1 s from a stretch of 1, then held;
+/// long-term μ = 1 Pa, one branch of ratio 1 and 1 s, by quadratures.
+struct RampAndHold {
+  std::string name;
+  double stretch;
+  bool equibiaxial;
+  struct Instant {
+    double time, stress;  // [s], [Pa]
+  };
+  std::vector<Instant> stresses;
+};
+inline const RampAndHold ramps_and_holds[] = {
+    {"uniaxial ramp to 2", 2.0, false,
+     {{0.25, 1.43098302608}, {0.5, 2.78944590171}, {1.0, 5.49675917012},
+      {1.5, 4.71109565674}, {2.0, 4.23456664766}, {4.0, 3.59941278532}}},
+    {"uniaxial ramp to 0.5", 0.5, false,
+     {{0.25, -0.712862790956}, {0.5, -1.39195678387}, {1.0, -2.98206025491},
+      {1.5, -2.49728231921}, {2.0, -2.20324963806}, {4.0, -1.81134066814}}},
+    {"equibiaxial ramp to 1.5", 1.5, true,
+     {{0.25, 1.21017737966}, {0.5, 2.06879091863}, {1.0, 3.39715398403},
+      {1.5, 2.86806172391}, {2.0, 2.54715104632}, {4.0, 2.11941705227}}}};
+
+/// Rung e: force of a standard linear solid (instantaneous 20, long-term 10 MPa,
+/// τ 1 ms) on the half-space of the ball of rung d, pressed by 1 mm in 4 ms.
+struct PressedPath {
+  std::string name;
+  struct Instant {
+    double time, force;  // [s], [N]
+  };
+  std::vector<Instant> instants;
+};
+inline const PressedPath pressed_paths[] = {
+    {"triangle",
+     {{0.25e-3, 7.6954722}, {0.5e-3, 20.84032371}, {1e-3, 54.65813612}, {1.5e-3, 94.3303254},
+      {2e-3, 137.8960039}, {2.25e-3, 96.45868172}, {2.5e-3, 63.19070074}, {3e-3, 17.80791579},
+      {3.25e-3, 4.792680344}, {3.5e-3, 0.0}}},
+    {"half sine",
+     {{0.25e-3, 15.00152328}, {0.75e-3, 66.02534202}, {1.25e-3, 110.8688633}, {1.75e-3, 128.713679},
+      {2e-3, 124.7043302}, {2.5e-3, 92.73953468}, {3e-3, 42.11521494}, {3.5e-3, 1.498458686},
+      {3.75e-3, 0.0}}}};
+
+/// Rung e: impacts of the same solid.
+struct ViscoelasticImpact {
+  double speed;                            // [m/s]
+  double restitution;
+  double contact_time;                     // [s]
+  double peak_force;                       // [N]
+  double peak_deflection, end_deflection;  // [m]
+};
+inline constexpr ViscoelasticImpact viscoelastic_impacts[] = {
+    {0.1, 0.683704, 4.16788e-3, 6.74750, 1.41354e-4, 4.45e-5},
+    {0.5, 0.706121, 2.90627e-3, 48.7069, 5.02415e-4, 1.6083e-4},
+    {1.0, 0.720713, 2.49879e-3, 113.980, 8.68535e-4, 2.7262e-4},
+    {5.0, 0.760764, 1.77578e-3, 817.406, 3.10400e-3, 8.8327e-4},
+    {15.0, 0.789921, 1.41439e-3, 3125.34, 7.41868e-3, 1.9094e-3},
+    {25.0, 0.803342, 1.27374e-3, 5824.72, 1.11295e-2, 2.7150e-3}};
 
 }  // namespace rebound::targets

@@ -1,14 +1,12 @@
 #pragma once
 
 #include "comparisons/report/report.hpp"
-#include "comparisons/verification/mesh_family.hpp"
-#include "comparisons/verification/verification_row.hpp"
+#include "comparisons/verification/ladder.hpp"
 
 namespace rebound {
 
-/// The ladder as a page: every row with its verdict, and for a family of meshes
-/// (none: left out) convergence, ripple and cost over the cells.
-report::Report verification_report(const VerificationTable& table,
-                                   const std::vector<FamilyImpact>& family);
+/// The ladder as a page: the pictures of its parts, every row with its verdict,
+/// and what an interruption left out.
+report::Report verification_report(const LadderOutcome& ladder);
 
 }  // namespace rebound

@@ -6,6 +6,7 @@
 namespace rebound {
 
 double VerificationRow::deviation() const {
+  if (scale == ToleranceScale::upper_bound && result <= target) return 0.0;
   const double off = std::abs(result - target);
   return scale == ToleranceScale::relative ? off / std::abs(target) : off;
 }

@@ -8,8 +8,9 @@ namespace rebound {
 
 /// What a deviation is measured in.
 enum class ToleranceScale {
-  relative,  ///< |result / target − 1|
-  absolute   ///< |result − target|, in the row's unit
+  relative,    ///< |result / target − 1|
+  absolute,    ///< |result − target|, in the row's unit
+  upper_bound  ///< what result has above target, in the row's unit
 };
 
 /// One line of the verification ladder: a number that is known, and what the

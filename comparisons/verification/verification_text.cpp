@@ -5,6 +5,28 @@
 #include <algorithm>
 
 namespace rebound {
+namespace {
+
+const char* name_of(ToleranceScale scale) {
+  switch (scale) {
+    case ToleranceScale::relative: return "relative";
+    case ToleranceScale::absolute: return "absolute";
+    case ToleranceScale::upper_bound: return "upper_bound";
+  }
+  return "";
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+std::string target_text(const VerificationRow& row) {
+  return fmt::format("{}{:.7g}", row.scale == ToleranceScale::upper_bound ? "<= " : "", row.target);
+}
+
+}  // namespace
 
 Json to_json(const VerificationTable& table) {
   Json json = {{"schema", 1}, {"passed", all_pass(table)}, {"rows", Json::array()}};
@@ -17,21 +39,32 @@ Json to_json(const VerificationTable& table) {
          {"result", row.result},
          {"deviation", row.deviation()},
          {"tolerance", row.tolerance},
-         {"tolerance_scale", row.scale == ToleranceScale::relative ? "relative" : "absolute"},
+         {"tolerance_scale", name_of(row.scale)},
          {"order", row.order ? Json(*row.order) : Json(nullptr)},
          {"passed", row.passes()},
          {"source", row.source}});
   return json;
 }
 
+std::string to_csv(const VerificationTable& table) {
+  std::string text = "rung,quantity,unit,target,result,deviation,tolerance,tolerance_scale,order,passed,source\n";
+  for (const VerificationRow& row : table)
+    text += fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{},{}\n", quoted(row.rung),
+                        quoted(row.quantity), quoted(row.unit), row.target, row.result, row.deviation(),
+                        row.tolerance, name_of(row.scale),
+                        row.order ? fmt::format("{:.17g}", *row.order) : "", row.passes(),
+                        quoted(row.source));
+  return text;
+}
+
 std::string to_text(const VerificationTable& table) {
   std::size_t widest = 8;
   for (const VerificationRow& row : table) widest = std::max(widest, row.quantity.size());
-  std::string text = fmt::format("{:<12}{:<{}}{:>14}{:>14}  {:<4}{:>11}{:>11}{:>7}\n", "rung", "quantity",
+  std::string text = fmt::format("{:<12}{:<{}}{:>14}{:>14}  {:<6}{:>11}{:>11}{:>7}\n", "rung", "quantity",
                                  widest + 1, "target", "result", "", "deviation", "tolerance", "order");
   for (const VerificationRow& row : table)
-    text += fmt::format("{:<12}{:<{}}{:>14.7g}{:>14.7g}  {:<4}{:>11.2e}{:>11.2e}{:>7}{}\n", row.rung,
-                        row.quantity, widest + 1, row.target, row.result, row.unit, row.deviation(),
+    text += fmt::format("{:<12}{:<{}}{:>14}{:>14.7g}  {:<6}{:>11.2e}{:>11.2e}{:>7}{}\n", row.rung,
+                        row.quantity, widest + 1, target_text(row), row.result, row.unit, row.deviation(),
                         row.tolerance, row.order ? fmt::format("{:.2f}", *row.order) : "-",
                         row.passes() ? "" : "  FAILS");
   const auto passed =

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
-#include "fem/kernel/cell_batches.hpp"
-#include "fem/schemes/prony_steps.hpp"
+#include "fem/verification/bilinear_forces.hpp"
 #include "lumped/problem/fem_problem.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -84,46 +83,7 @@ inline FemProblem common_case(double speed) {
   return problem;
 }
 
-/// One body, one material, one kernel: forces and energy as functions of the
-/// displacement [node][2].
-class KernelCase {
- public:
-  KernelCase(const fem::Discretisation& body, const Material& material,
-             const fem::CellKernel& kernel, double step = 1.0)
-      : constants_(fem::viscoelastic_constants(material)),
-        kernel_(kernel),
-        cells_(body, constants_, kernel.width),
-        prony_(constants_, step),
-        step_(step),
-        history_(cells_.make_history()),
-        force_(2 * (body.position.size() + 1)) {}
-
-  std::size_t size() const { return force_.size(); }
-  const fem::CellSummary& summary() const { return summary_; }
-
-  /// Internal forces; with branches the body moves on by one step.
-  const std::vector<double>& force(const std::vector<double>& displacement,
-                                   const double* velocity = nullptr) {
-    std::fill(force_.begin(), force_.end(), 0.0);
-    summary_ = kernel_.internal_forces(cells_.arrays(), prony_.data(),
-                                       {.displacement = displacement.data(), .velocity = velocity},
-                                       history_.data(), force_.data());
-    prony_.advance(step_);
-    return force_;
-  }
-  double energy(const std::vector<double>& displacement) const {
-    return kernel_.stored_energy(cells_.arrays(), displacement.data(), history_.data());
-  }
-
- private:
-  fem::ViscoelasticConstants constants_;
-  const fem::CellKernel& kernel_;
-  fem::CellBatches cells_;
-  fem::PronySteps prony_;
-  double step_;
-  std::vector<double> history_, force_;
-  fem::CellSummary summary_;
-};
+using KernelCase = fem::BilinearForces;
 
 /// u_r = (a − 1) R, u_z = (b − 1) Z.
 inline std::vector<double> stretched(const fem::Discretisation& body, double a, double b) {

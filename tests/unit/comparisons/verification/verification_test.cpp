@@ -32,6 +32,22 @@ TEST(VerificationRowTest, WhatIsNoNumberFails) {
   EXPECT_FALSE(row(0.0, 0.0, 1.0, ToleranceScale::relative).passes());
 }
 
+TEST(VerificationRowTest, ABoundIsOneSided) {
+  const auto bounded = [](double result) { return row(1.6, result, 0.0, ToleranceScale::upper_bound); };
+  EXPECT_TRUE(bounded(0.0).passes());
+  EXPECT_TRUE(bounded(1.6).passes());
+  EXPECT_FALSE(bounded(1.61).passes());
+  EXPECT_FALSE(bounded(std::numeric_limits<double>::quiet_NaN()).passes());
+  EXPECT_NE(to_text({bounded(1.5)}).find("<= 1.6"), std::string::npos);
+}
+
+TEST(VerificationTest, CsvQuotesItsTexts) {
+  VerificationRow one = row(1.0, 2.0, 0.1, ToleranceScale::absolute);
+  one.quantity = "force, \"peak\"";
+  EXPECT_NE(to_csv({one}).find("\"x\",\"force, \"\"peak\"\"\",\"\",1,2,1,0.1"), std::string::npos)
+      << to_csv({one});
+}
+
 TEST(VerificationTest, OneFailureFailsTheTable) {
   VerificationTable table = {row(1.0, 1.0, 0.1, ToleranceScale::relative)};
   EXPECT_TRUE(all_pass(table));

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/report/figure.hpp"
+#include "comparisons/verification/verification_row.hpp"
+
+namespace rebound {
+
+/// An error under refinement, and the order it should fall with.
+struct Refinement {
+  std::string name;
+  std::vector<double> size;   ///< of cells or steps, falling
+  std::vector<double> error;  ///< one per size
+  double expected_order = 0.0;
+  double tolerance = 0.15;    ///< of the order
+  std::size_t left_out = 0;   ///< coarsest sizes that are drawn and not fitted
+};
+
+/// Slope of log(error) over log(size) by least squares, without those left out.
+///
+/// Limit:  error = c size^p: p -> test RefinementTest.APowerIsFound
+/// Errors: Error(bad_input) for fewer than two sizes, or an error that is no
+///         positive number.
+double fitted_order(const Refinement& refinement);
+
+/// "order of NAME": target the expected order, result the fitted one.
+VerificationRow order_row(const std::string& rung, const Refinement& refinement,
+                          const std::string& source);
+
+/// What an error is drawn over.
+struct RefinementAxes {
+  std::string title;
+  std::string caption;
+  report::Axis size;
+  report::Axis error;
+};
+
+/// Errors as points, the fitted order in their names, and the fitted line, both axes logarithmic.
+report::Figure refinement_figure(const RefinementAxes& axes, const std::vector<Refinement>& refinements);
+
+}  // namespace rebound
