@@ -222,7 +222,8 @@ void describe(Visitor& visit, FemControls& controls) {
                 .range = at_least(0.0)},
                controls.end_time);
   visit.whole({.name = "field_frames",
-               .sentence = "Number of field outputs over the contact; needs --out.",
+               .sentence = "Frames over the contact with stress, energy density, dissipation and contact "
+                           "pressure, for ParaView (fields/impact.pvd) and the report; needs --out.",
                .presence = Presence::optional,
                .range = from_to(0.0, 10000.0)},
               controls.field_frames);

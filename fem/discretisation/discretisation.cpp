@@ -1,17 +1,19 @@
 #include "fem/discretisation/discretisation.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
-#include "fem/discretisation/field_geometry.hpp"
 #include "lumped/problem/error.hpp"
 
 static_assert(__cplusplus >= 202002L, "deal.II's exported flags must not lower the standard");
@@ -104,23 +106,25 @@ std::vector<int> nodes_of(const std::vector<std::array<int, 2>>& edges,
 
 Discretisation discretise(const Mesh& mesh, double mass) {
   check(mesh);
-  auto fields = std::make_shared<FieldGeometry>();
-  triangulate(mesh, fields->triangulation);
-  fields->dofs.distribute_dofs(fields->element);
-  dealii::DoFRenumbering::Cuthill_McKee(fields->dofs, true);
+  dealii::Triangulation<2> triangulation;
+  triangulate(mesh, triangulation);
+  const dealii::FE_Q<2> element(1);
+  dealii::DoFHandler<2> dof_handler(triangulation);  // scalar: degree of freedom i is node i
+  dof_handler.distribute_dofs(element);
+  dealii::DoFRenumbering::Cuthill_McKee(dof_handler, true);
 
   Discretisation body;
-  const auto count = fields->dofs.n_dofs();
+  const auto count = dof_handler.n_dofs();
   body.position.resize(count);
   body.mass.assign(count, 0.0);
   std::vector<int> node_of_vertex(mesh.vertices.size(), -1);
 
-  dealii::FEValues<2> values(fields->element, dealii::QGauss<2>(2),
+  dealii::FEValues<2> values(element, dealii::QGauss<2>(2),
                              dealii::update_values | dealii::update_gradients |
                                  dealii::update_quadrature_points | dealii::update_JxW_values);
   std::vector<unsigned> dofs(nodes_per_cell);
   double volume = 0.0;
-  for (const auto& cell : fields->dofs.active_cell_iterators()) {
+  for (const auto& cell : dof_handler.active_cell_iterators()) {
     values.reinit(cell);
     cell->get_dof_indices(dofs);
     for (unsigned corner = 0; corner < 4; ++corner) {
@@ -142,7 +146,6 @@ Discretisation discretise(const Mesh& mesh, double mass) {
   body.contact_nodes = nodes_of(mesh.contact_edges, node_of_vertex);
   std::sort(body.contact_nodes.begin(), body.contact_nodes.end(),
             [&](int a, int b) { return body.position[a] < body.position[b]; });
-  body.fields = std::move(fields);
   return body;
 }
 

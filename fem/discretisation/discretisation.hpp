@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,10 +10,6 @@
 #include "lumped/problem/mesh.hpp"
 
 namespace rebound::fem {
-
-/// Writes displacement and derived fields for ParaView; owned by the
-/// discretisation because it needs the triangulation.
-class FieldGeometry;
 
 /// Geometry of one cell in plain numbers: gradients of the shape functions at
 /// rest, counted counter-clockwise, at four Gauss points.
@@ -40,7 +35,6 @@ struct Discretisation {
   std::vector<int> axis_nodes;
   std::vector<int> contact_nodes;               ///< ascending radius
   double density = 0.0;                         ///< [kg/m³]
-  std::shared_ptr<const FieldGeometry> fields;
 
   int node_count() const { return static_cast<int>(position.size()); }
 };

@@ -53,8 +53,9 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
                          int width)
     : width_(width),
       point_factors_(layer_factors(body, material.layers)),
-      cell_frequency_squared_(cell_frequencies(body, material.instantaneous, point_factors_)) {
-  const std::vector<int> order = deal_cells(body, width);
+      cell_frequency_squared_(cell_frequencies(body, material.instantaneous, point_factors_)),
+      cell_of_slot_(deal_cells(body, width)) {
+  const std::vector<int>& order = cell_of_slot_;
   const int unused_node = body.node_count();
   nodes_.assign(order.size() * nodes_per_cell, unused_node);
   // Padding lanes: zero gradients and weight leave F = 1 and no force.
@@ -78,7 +79,7 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
       }
       at[8 * width] = 1.0 / cell.radius[q];
       // Stress and energy of a point are in proportion to its weight: so are its moduli.
-      at[9 * width] = cell.weight[q] * (point_factors_.empty() ? 1.0 : point_factors_[order[slot]][q]);
+      at[9 * width] = cell.weight[q] * layer_factor(order[slot], q);
     }
   }
 

@@ -19,6 +19,12 @@ class CellBatches {
   const CellArrays& arrays() const { return arrays_; }
   /// ω² of every cell at rest, in the body's order [1/s²].
   const std::vector<double>& cell_frequency_squared() const { return cell_frequency_squared_; }
+  /// Cell of every lane of every batch, in the body's order; −1 pads the last batches.
+  const std::vector<int>& cell_of_slot() const { return cell_of_slot_; }
+  /// What a radial layer multiplies stress and energy of a point by; 1 without layers.
+  double layer_factor(int cell, int point) const {
+    return point_factors_.empty() ? 1.0 : point_factors_[cell][point];
+  }
   /// Zeroed carried tensors of all branches.
   std::vector<double> make_history() const;
 
@@ -26,6 +32,7 @@ class CellBatches {
   int width_;
   PointFactors point_factors_;  ///< of radial layers
   std::vector<double> cell_frequency_squared_;
+  std::vector<int> cell_of_slot_;
   std::vector<int> nodes_;
   std::vector<double> geometry_;
   std::vector<double> rest_frequency_squared_;

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "fem/kernel/cell_kernel.hpp"
+#include "fem/kernel/cell_observer.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
@@ -9,6 +9,12 @@ extern const CellKernel cell_kernel_baseline;
 #ifdef __x86_64__
 extern const CellKernel cell_kernel_avx2;
 extern const CellKernel cell_kernel_avx512;
+#endif
+
+extern const CellObserver cell_observer_baseline;
+#ifdef __x86_64__
+extern const CellObserver cell_observer_avx2;
+extern const CellObserver cell_observer_avx512;
 #endif
 
 const CellKernel* find_cell_kernel(const std::string& name) {
@@ -32,6 +38,14 @@ const CellKernel& choose_cell_kernel() {
   for (const char* name : {"avx512", "avx2"})
     if (const CellKernel* kernel = find_cell_kernel(name)) return *kernel;
   return cell_kernel_baseline;
+}
+
+const CellObserver& observer_of([[maybe_unused]] const CellKernel& kernel) {
+#ifdef __x86_64__
+  if (&kernel == &cell_kernel_avx2) return cell_observer_avx2;
+  if (&kernel == &cell_kernel_avx512) return cell_observer_avx512;
+#endif
+  return cell_observer_baseline;
 }
 
 }  // namespace rebound::fem

@@ -1,34 +1,30 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "fem/discretisation/discretisation.hpp"
-#include "lumped/problem/fem_problem.hpp"
+#include "fem/output/field_snapshot.hpp"
 
 namespace rebound::fem {
 
-/// Writes VTU frames of the moving body and the PVD that lists them, for
-/// ParaView. Does nothing when the problem asks for no frames.
+/// Writes VTU frames of the moving body and the PVD that lists them, for ParaView.
 ///
-/// Point data: displacement [m], velocity [m/s]. Cell positions are those at
-/// rest; "Warp By Vector" with `displacement` shows the shape.
-/// Files: frame-0000.vtu … and impact.pvd in `controls.field_directory`.
+/// Points are those at rest; "Warp By Vector" with `displacement_m` shows the shape.
+/// Files: frame-0000.vtu … and impact.pvd in `folder`. Each is there whole or not
+/// at all, and the list is renewed with every frame: an interrupted run leaves a
+/// list of what there is. Frames and list of an earlier run are removed first.
 /// Errors: Error(input_output_failed) when a file cannot be written.
 class FieldWriter {
  public:
-  FieldWriter(const Discretisation& body, const FemProblem& problem, double expected_duration);
+  FieldWriter(VtuMesh mesh, const std::string& folder);
 
-  /// Writes the frame that is due at `time`, if any.
-  void write_due_frames(double time, const std::vector<double>& displacement,
-                        const std::vector<double>& velocity);
-  void write_collection() const;
+  void write(const FieldSnapshot& now);
 
  private:
-  const Discretisation& body_;
-  std::string directory_;
-  double interval_ = 0.0;  ///< zero: off
-  double next_ = 0.0;
+  VtuMesh mesh_;
+  std::filesystem::path folder_;
   std::vector<std::pair<double, std::string>> frames_;
 };
 

@@ -1,29 +1,26 @@
 #pragma once
 
-#include <vector>
-
-#include "fem/discretisation/discretisation.hpp"
+#include "fem/output/field_snapshot.hpp"
 #include "lumped/problem/result.hpp"
 
 namespace rebound::fem {
 
-/// Keeps the body's shape at equally spaced times, the first at rest. Does nothing when
-/// no frames are asked for.
+/// Keeps the body's shape and the fields of its cells at a few instants, for the
+/// half-section of a report.
 class ShapeRecorder {
  public:
-  /// `frames` over `expected_duration` [s]; recording goes on at that rate for as long as
-  /// the impact lasts.
-  ShapeRecorder(const Discretisation& body, int frames, double expected_duration);
+  /// `at_rest` brings cells and contact vertices; `rest` is the position of every vertex
+  /// [m]. `parts`: how many of those cells show one cell of the snapshots.
+  ShapeRecorder(ShapeHistory at_rest, std::vector<std::array<double, 2>> rest, int parts = 1);
 
-  /// `displacement`: (r, z) per node, interleaved [m].
-  void record_if_due(double time, const std::vector<double>& displacement);
-
+  void record(const FieldSnapshot& now);
   const ShapeHistory& history() const { return history_; }
 
  private:
-  const Discretisation& body_;
-  double interval_ = 0.0;  ///< zero: off
-  double next_ = 0.0;
+  void record_fields(const FieldSnapshot& now);
+
+  std::vector<std::array<double, 2>> rest_;
+  std::size_t parts_;
   ShapeHistory history_;
 };
 

@@ -8,8 +8,7 @@
 #include "fem/contact/moving_plate.hpp"
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/kernel/cell_batches.hpp"
-#include "fem/output/field_writer.hpp"
-#include "fem/output/shape_recorder.hpp"
+#include "fem/output/impact_fields.hpp"
 #include "fem/schemes/body_motion.hpp"
 #include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
@@ -53,8 +52,7 @@ class ExplicitImpact {
   int pole_ = 0;  ///< the node farthest from the plate
   double expected_time_, end_time_;
   ImpactRecorder recorder_;
-  FieldWriter fields_;
-  ShapeRecorder shapes_;
+  std::unique_ptr<ImpactFields> fields_;  ///< null: none asked for
   CellSummary summary_;
   PronySteps prony_;
   long steps_ = 0;
@@ -106,8 +104,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
                                                      : expected_time_ / 200,
                 expected_time_,
                 problem.plate.moves() ? Reading::load_cell : Reading::contact_force),
-      fields_(body, problem, 1.3 * expected_time_),
-      shapes_(body, problem.controls.shape_frames, 1.3 * expected_time_),
+      fields_(ImpactFields::asked_for(problem, {body, cells_, kernel_, material_}, expected_time_)),
       prony_(material_, first_step_) {
   const double to_touch =
       problem.impact.speed / (problem.impact.speed - 0.5 * first_step_ * problem.gravity);
@@ -179,11 +176,12 @@ void ExplicitImpact::choose_next_step() {
 }
 
 void ExplicitImpact::step() {
+  const CellMotion now{.displacement = motion_.displacement.data(),
+                       .velocity = motion_.velocity.data()};
+  if (fields_) fields_->see(time_, prony_.data(), now, history_);
   std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
-  summary_ = kernel_.internal_forces(
-      arrays_, prony_.data(),
-      {.displacement = motion_.displacement.data(), .velocity = motion_.velocity.data()},
-      history_.data(), motion_.force.data());
+  summary_ = kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(),
+                                     motion_.force.data());
   const bool sampling = recorder_.next_sample() < time_ + step_;
   const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
 
@@ -191,12 +189,14 @@ void ExplicitImpact::step() {
   plate_->remember(motion_.velocity);
   const StepSpan span{.kick = 0.5 * (step_before_ + step_), .drift = step_};
   motion_.kick(span.kick, problem_.gravity);
+  if (fields_) fields_->before_plate(motion_.velocity);
   const PlateStep plate = plate_->hold_back(motion_.displacement, motion_.velocity, span);
   constraint_work_ += plate.constraint_work;
   friction_work_ += plate.friction_work;
   contact_radius_ = plate.contact_radius;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
   const double start = time_ - 0.5 * step_before_, end = time_ + 0.5 * step_;
+  if (fields_) fields_->after_plate(motion_.velocity, end);
   recorder_.add_impulse(plate.impulse, start, end);
   recorder_.add_reading(plate.reading, start, end);
   if (plate.impulse > 0.0) last_contact_ = end;
@@ -207,8 +207,6 @@ void ExplicitImpact::step() {
   plate_->drift(step_);
   time_ += step_;
   ++steps_;
-  fields_.write_due_frames(time_, motion_.displacement, motion_.velocity);
-  shapes_.record_if_due(time_, motion_.displacement);
   choose_next_step();
   prony_.advance(step_);
 }
@@ -260,8 +258,7 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
   result.smallest_step = smallest_step_;
   result.kernel = kernel_.name;
   result.incomplete_because = std::move(incomplete_because);
-  fields_.write_collection();
-  result.shapes = shapes_.history();
+  if (fields_) result.shapes = fields_->shapes();
   if (result.incomplete_because.empty()) conclude(result);
   return result;
 }

@@ -55,7 +55,8 @@ using FemRunner = std::function<FemResult(const FemProblem&)>;
 /// Changes when a record that crosses the boundary does. Program and module
 /// are built together; a stale one of the two must be refused, not crash.
 inline constexpr unsigned long interface_stamp =
-    1 + 31 * sizeof(FemProblem) + 1009 * sizeof(FemResult) + 30011 * sizeof(EnergyBook) +
+    2 + 31 * sizeof(FemProblem) + 1009 * sizeof(FemResult) + 30011 * sizeof(EnergyBook) +
+    270029 * sizeof(ShapeHistory) +
     900007 * sizeof(Mesh) + 800000011 * (sizeof(CompressionProblem) + 3 * sizeof(CompressionResult));
 
 /// Name of the entry point: an `extern "C"` function that takes the caller's

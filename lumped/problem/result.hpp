@@ -53,11 +53,30 @@ struct EnergyBook {
   double gravity = 0.0;            ///< potential of the centre of mass; zero at first touch
 };
 
-/// The body's shape at a few instants, for pictures. Vertices are in the solver's order.
+/// What a ShapeHistory may show of its cells: Cauchy stress, energies per volume at rest.
+enum class ShapeQuantity {
+  von_mises,           ///< [Pa]
+  pressure,            ///< hydrostatic, compression positive [Pa]
+  stored,              ///< in the elastic law [J/m³]
+  dissipated,          ///< so far [J/m³]
+  dissipated_or_held,  ///< by branches whose own energy is not known [J/m³]
+  speed                ///< [m/s]
+};
+
+struct ShapeField {
+  ShapeQuantity quantity = ShapeQuantity::von_mises;
+  std::vector<std::vector<float>> values;  ///< per time, per cell
+};
+
+/// The body's shape at a few instants and the fields in it, for pictures. Vertices
+/// are in the solver's order.
 struct ShapeHistory {
   std::vector<std::array<int, 4>> cells;  ///< vertex numbers, counter-clockwise
   std::vector<double> time;               ///< [s]
   std::vector<std::vector<std::array<double, 2>>> positions;  ///< per time, per vertex (r, z) [m]
+  std::vector<ShapeField> fields;
+  std::vector<int> contact_vertices;                 ///< those that may touch, ascending radius
+  std::vector<std::vector<float>> contact_pressure;  ///< per time, per contact vertex [Pa]
 };
 
 /// Result of one FE impact.

@@ -1,0 +1,131 @@
+// One integration point of `width` cells at once: what the kernels of forces and
+// the observers share. Part of each of their files, in its unnamed namespace.
+
+constexpr int width = REBOUND_KERNEL_WIDTH;
+using Real = VectorOf<width>::Real;
+typedef double Pair __attribute__((vector_size(16)));
+
+/// Shape functions of the bilinear cell at its 2×2 Gauss points, corners and
+/// points counted counter-clockwise from (−,−). The discretisation uses the
+/// same order -> test DiscretisationTest.PointOrder.
+constexpr double near_corner = 0.62200846792814621559;   // (1 + 1/√3)²/4
+constexpr double middle_corner = 0.16666666666666666667; // (1 − 1/3)/4
+constexpr double far_corner = 0.04465819873852045108;    // (1 − 1/√3)²/4
+constexpr double shape[points_per_cell][nodes_per_cell] = {
+    {near_corner, middle_corner, far_corner, middle_corner},
+    {middle_corner, near_corner, middle_corner, far_corner},
+    {far_corner, middle_corner, near_corner, middle_corner},
+    {middle_corner, far_corner, middle_corner, near_corner}};
+
+struct Corners {
+  Real r[nodes_per_cell];
+  Real z[nodes_per_cell];
+};
+
+inline Corners gather(const int* nodes, const double* field) {
+  Corners corners;
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    for (int lane = 0; lane < width; lane += 2) {
+      const Pair a = load<Pair>(field + 2 * nodes[i * width + lane]);
+      const Pair b = load<Pair>(field + 2 * nodes[i * width + lane + 1]);
+      corners.r[i][lane] = a[0];
+      corners.r[i][lane + 1] = b[0];
+      corners.z[i][lane] = a[1];
+      corners.z[i][lane + 1] = b[1];
+    }
+  }
+  return corners;
+}
+
+inline void scatter_add(const int* nodes, const Corners& force, double* field) {
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    for (int lane = 0; lane < width; ++lane) {
+      double* target = field + 2 * nodes[i * width + lane];
+      store(target, load<Pair>(target) + Pair{force.r[i][lane], force.z[i][lane]});
+    }
+  }
+}
+
+struct Point {
+  Real gradient_r[nodes_per_cell];
+  Real gradient_z[nodes_per_cell];
+  Real inverse_radius;
+  Real weight;
+};
+
+inline Point point_geometry(const double* geometry) {
+  Point point;
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    point.gradient_r[i] = load<Real>(geometry + i * width);
+    point.gradient_z[i] = load<Real>(geometry + (nodes_per_cell + i) * width);
+  }
+  point.inverse_radius = load<Real>(geometry + 8 * width);
+  point.weight = load<Real>(geometry + 9 * width);
+  return point;
+}
+
+inline Gradient<Real> deformation(const Point& point, const double* shape_values,
+                                  const Corners& u) {
+  const Real zero = {};
+  Gradient<Real> f{zero + 1.0, zero, zero, zero + 1.0, zero};
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    f.rr += point.gradient_r[i] * u.r[i];
+    f.rz += point.gradient_z[i] * u.r[i];
+    f.zr += point.gradient_r[i] * u.z[i];
+    f.zz += point.gradient_z[i] * u.z[i];
+    f.tt += shape_values[i] * u.r[i];
+  }
+  f.tt = f.tt * point.inverse_radius + 1.0;
+  return f;
+}
+
+inline void add_point_force(const Point& point, const double* shape_values,
+                            const Gradient<Real>& piola, Corners& force) {
+  const Real rr = piola.rr * point.weight;
+  const Real rz = piola.rz * point.weight;
+  const Real zr = piola.zr * point.weight;
+  const Real zz = piola.zz * point.weight;
+  const Real tt = piola.tt * point.weight * point.inverse_radius;
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    force.r[i] += rr * point.gradient_r[i] + rz * point.gradient_z[i] + tt * shape_values[i];
+    force.z[i] += zr * point.gradient_r[i] + zz * point.gradient_z[i];
+  }
+}
+
+inline Symmetric<Real> combine(Real a, const Symmetric<Real>& x, Real b,
+                               const Symmetric<Real>& y) {
+  return {a * x.rr + b * y.rr, a * x.zz + b * y.zz, a * x.tt + b * y.tt, a * x.rz + b * y.rz};
+}
+
+/// Adds Q of one branch to `total` and replaces the carried tensor.
+inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& deviatoric,
+                           const Symmetric<Real>& volumetric, double* history,
+                           Symmetric<Real>& total) {
+  const Real zero = {};
+  const Symmetric<Real> drive = combine(zero + branch.deviatoric_share, deviatoric,
+                                        zero + branch.volumetric_share, volumetric);
+  const auto advance = [&](int component, const Real& d, Real& sum) {
+    double* carried = history + component * width;
+    const Real q = load<Real>(carried) + branch.gain * d;
+    sum += q;
+    store(carried, branch.decay_next * q - branch.gain_next * d);
+  };
+  advance(0, drive.rr, total.rr);
+  advance(1, drive.zz, total.zz);
+  advance(2, drive.tt, total.tt);
+  advance(3, drive.rz, total.rz);
+}
+
+inline Real larger(Real a, Real b) { return a > b ? a : b; }
+
+inline Real magnitude(Real a) { return a < 0.0 ? -a : a; }
+
+/// Upper bound of the eigenvalues of C⁻¹, less than 9 % above the largest; the
+/// square root in it is bounded by an octagon.
+inline Real inverse_eigenvalue_bound(const Symmetric<Real>& inverse) {
+  const Real half_sum = 0.5 * (inverse.rr + inverse.zz);
+  const Real a = magnitude(0.5 * (inverse.rr - inverse.zz));
+  const Real b = magnitude(inverse.rz);
+  const Real root = a > b ? a + 0.41421356237309515 * b : b + 0.41421356237309515 * a;
+  return larger(half_sum + root, inverse.tt);
+}

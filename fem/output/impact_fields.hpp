@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fem/output/contact_pressure.hpp"
+#include "fem/output/field_observer.hpp"
+#include "fem/output/field_writer.hpp"
+#include "fem/output/frame_clock.hpp"
+#include "fem/output/shape_recorder.hpp"
+#include "lumped/problem/fem_problem.hpp"
+
+namespace rebound::fem {
+
+/// What an explicit run shows of its inside: frames for ParaView, shapes for the
+/// report. Watches the run without changing a bit of it; costs up to a second
+/// evaluation of every stress a step, and is not there unless asked for.
+class ImpactFields {
+ public:
+  struct Watched {
+    const Discretisation& body;
+    const CellBatches& cells;
+    const CellKernel& kernel;
+    const ViscoelasticConstants& material;
+  };
+
+  /// Null when `problem` asks for neither. `expected_contact` [s]: frames are spread
+  /// over 1.3 of it and go on at that rate; pressure is a mean over its last
+  /// hundredth to fiftieth.
+  static std::unique_ptr<ImpactFields> asked_for(const FemProblem& problem, const Watched& watched,
+                                                 double expected_contact);
+
+  /// Sees one instant, before the kernel's forces of it, and writes the frames that
+  /// are due.
+  void see(double time, const BranchStep* branches, const CellMotion& motion,
+           const std::vector<double>& history);
+
+  /// Velocities just before the plate holds nodes back, and just after.
+  void before_plate(const std::vector<double>& velocity);
+  void after_plate(const std::vector<double>& velocity, double time);
+
+  const ShapeHistory& shapes() const { return shapes_.history(); }
+
+ private:
+  ImpactFields(const FemProblem& problem, const Watched& watched, double expected_contact);
+
+  const Discretisation& body_;
+  FieldObserver observer_;
+  ContactPressure pressure_;
+  FrameClock field_clock_, shape_clock_;
+  std::optional<FieldWriter> writer_;
+  ShapeRecorder shapes_;
+  std::vector<double> velocity_before_;  ///< of the contact nodes, axial [m/s]
+};
+
+}  // namespace rebound::fem
