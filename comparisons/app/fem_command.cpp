@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/app/memory_needed.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/config/describe_fem.hpp"
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/toml_writer.hpp"
+#include "comparisons/modules/memory_needed.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/numerical_error/reference_json.hpp"
 #include "comparisons/results/atomic_file.hpp"

@@ -15,7 +15,9 @@
 #include "comparisons/verification/element_rungs.hpp"
 #include "comparisons/verification/fem_rungs.hpp"
 #include "comparisons/verification/lumped_rungs.hpp"
+#include "comparisons/verification/memory_growth.hpp"
 #include "comparisons/verification/mesh_family.hpp"
+#include "comparisons/verification/seeded_faults.hpp"
 #include "comparisons/verification/ting_rung.hpp"
 #include "comparisons/verification/verification_report.hpp"
 #include "comparisons/verification/verification_text.hpp"
@@ -54,12 +56,15 @@ std::vector<LadderPart> fem_parts(const FemTier& tier, const ElementChecks& chec
        [](Control) { return VerificationPart{verify_foams(material_laws(), published_foams())}; }}};
 }
 
-/// By itself: what it measures depends on what else runs.
-std::vector<LadderPart> cost_parts(const FemTier& tier) {
-  return {{"Finite elements under refinement", 4.0, [&](Control control) {
-             const auto family = run_mesh_family(tier, control);
-             return VerificationPart{rows_of(family), figures_of(family)};
-           }}};
+VerificationPart verify_refinement(const FemTier& tier, Control control) {
+  const auto family = run_mesh_family(tier, control);
+  return {.rows = rows_of(family), .figures = figures_of(family)};
+}
+
+VerificationPart seeded_faults_part(const std::vector<SeededFault>& faults) {
+  VerificationPart part{.rows = rows_of(faults)};
+  if (!faults.empty()) part.tables = {table_of(faults)};
+  return part;
 }
 
 void append(LadderOutcome& outcome, LadderOutcome more) {
@@ -79,7 +84,11 @@ LadderOutcome verify(const std::string& tier) {
   material_laws();  // loaded before there are threads
   ProgressLine progress("FE rungs");
   append(found, run_ladder(fem_parts(fem, element_checks()), progress.control()));
-  append(found, run_ladder(cost_parts(fem), progress.control()));
+  // Each by itself: what these measure depends on what else runs.
+  for (const LadderPart& part :
+       {LadderPart{"Finite elements under refinement", 4.0, [&](Control c) { return verify_refinement(fem, c); }},
+        LadderPart{"Memory over the cells", 4.0, [&](Control c) { return verify_memory(fem, c); }}})
+    append(found, run_ladder({part}, progress.control()));
   return found;
 }
 
@@ -93,11 +102,16 @@ void write_all(const Session& session, const LadderOutcome& ladder, Json stored,
 
 ExitCode run_verify(const Session& session, const std::string& tier) {
   if (!session.out.empty()) make_writable_folder(session.out);
-  const LadderOutcome ladder = verify(tier);
+  const std::vector<SeededFault> faults =
+      tier == "all" ? read_seeded_faults(seeded_faults_folder()) : std::vector<SeededFault>{};
+  LadderOutcome ladder = verify(tier);
+  if (tier == "all") ladder.complete.push_back({"Seeded faults", seeded_faults_part(faults)});
   const VerificationTable table = ladder.rows();
   Json json = to_json(table);
   json["not_run"] = ladder.not_run;
+  json["seeded_faults"] = to_json(faults);
   if (!session.out.empty()) write_all(session, ladder, json, tier != "lumped" && has_fem_tier());
+  if (tier == "all" && !session.json()) fmt::print("{}", to_text(faults));
   fmt::print("{}", session.json() ? dump(json) : to_text(table));
   if (!ladder.not_run.empty()) {
     fmt::print(stderr, "rebound: interrupted; {} rows are complete; not run: {}\n", table.size(),

@@ -1,5 +1,6 @@
 #include "comparisons/parallel/in_parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -29,7 +30,8 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   };
   {
     std::vector<std::jthread> others;
-    for (int i = 1; i < worker_threads; ++i) others.emplace_back(run);
+    // One piece of work stays in the thread of the caller.
+    for (std::size_t i = 1; i < std::min<std::size_t>(worker_threads, count); ++i) others.emplace_back(run);
     run();
   }
   if (failure) std::rethrow_exception(failure);

@@ -1,6 +1,7 @@
 #include "comparisons/verification/mesh_family.hpp"
 
 #include <fmt/format.h>
+#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,13 @@ class RunningMean {
   std::vector<double> integral_;
 };
 
+/// Not the clock on the wall: what else the machine does is no cost of the impact.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double order_between(double coarse, double medium, double fine) {
   return std::log2(std::abs((coarse - medium) / (medium - fine)));
 }
@@ -68,8 +76,10 @@ std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl&
   std::vector<FamilyImpact> family;
   for (int cells = 250; cells <= 16000; cells *= 2) {
     const Mesh mesh = generate_sphere_mesh({.radius = targets::ball_radius, .cells = cells});
+    const double begin = thread_seconds();
     FemResult result = complete_impact(tier, problem, mesh, control, fmt::format("{} cells", cells));
-    family.push_back({.result = std::move(result), .ripple = {}});
+    family.push_back({.result = std::move(result), .processor_seconds = thread_seconds() - begin,
+                      .ripple = {}});
   }
   for (std::size_t i = 0; i + 2 < family.size(); ++i)
     family[i].ripple = ripple_between(family[i].result, family[i + 2].result);
@@ -88,11 +98,11 @@ Refinement constraint_refinement(const std::vector<FamilyImpact>& family) {
 }
 
 Refinement cost_growth(const std::vector<FamilyImpact>& family) {
-  Refinement cost{.name = "step loop", .size = {}, .error = {}, .expected_order = 1.6,
+  Refinement cost{.name = "one impact", .size = {}, .error = {}, .expected_order = 1.6,
                   .left_out = 2};
   for (const FamilyImpact& member : family) {
     cost.size.push_back(member.result.cells);
-    cost.error.push_back(member.result.wall_seconds);
+    cost.error.push_back(member.processor_seconds);
   }
   return cost;
 }

@@ -12,6 +12,7 @@ namespace rebound {
 /// One impact of a family that differs in its cells alone.
 struct FamilyImpact {
   FemResult result;
+  double processor_seconds = 0.0;  ///< of set-up and steps, this thread alone [s]
   /// Largest deviation of the 20 µs mean of the force from that on four times
   /// the cells, over 5 to 95 % of the contact, of its peak [-].
   std::optional<double> ripple;
@@ -32,7 +33,7 @@ std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl&
 /// Constraint work over kinetic energy by mean cell size, order 1 expected.
 Refinement constraint_refinement(const std::vector<FamilyImpact>& family);
 
-/// Seconds of the step loop over the cells: the "order" is the power they grow with.
+/// Processor time over the cells: the "order" is the power they grow with.
 Refinement cost_growth(const std::vector<FamilyImpact>& family);
 
 /// Ripple at about 4000 cells; observed orders of restitution, deflection and

@@ -60,9 +60,10 @@ report::Report verification_report(const LadderOutcome& ladder) {
     page.notices.push_back({report::Notice::Level::warning,
                             fmt::format("Interrupted; not run: {}.", fmt::join(ladder.not_run, ", "))});
   for (const LadderOutcome::Complete& one : ladder.complete) {
-    if (one.part.figures.empty()) continue;
+    if (one.part.figures.empty() && one.part.tables.empty()) continue;
     report::Section section{.title = one.name, .blocks = {}};
     for (const report::Figure& figure : one.part.figures) section.blocks.push_back(figure);
+    for (const report::Table& table_of_part : one.part.tables) section.blocks.push_back(table_of_part);
     page.sections.push_back(std::move(section));
   }
   page.sections.push_back({.title = "Row by row", .blocks = {ladder_table(table)}});

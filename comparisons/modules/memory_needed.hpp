@@ -4,13 +4,16 @@
 
 namespace rebound {
 
-/// What an FE impact on that many cells takes, the FE module included [B].
+/// What an FE impact takes [B].
 ///
-///   0.17 GB + cells × (1.5 kB + 0.13 kB a Prony branch), explicit
-///   0.17 GB + cells × 25 kB, implicit (its factorised matrix)
+///   2.5 MB + cells × (1.7 kB + 0.22 kB a branch + 40 B for Mullins softening), explicit
+///   2.5 MB + cells × 27 kB, implicit (its factorised matrix)
 ///
-/// Measured at 4000 to 64 000 cells, explicit, and 250 to 4000, implicit, and
-/// rounded upwards.
+/// Rounded upwards from what rows "cost" of `rebound verify` measure, at 4000 to
+/// 64 000 cells, explicit, and 250 to 4000, implicit.
+double memory_of_impact(const FemProblem& problem, int cells);
+
+/// The same with the FE module, 0.17 GB [B].
 double memory_needed(const FemProblem& problem, int cells);
 
 /// What this process may still take: free memory of the machine, or less where

@@ -1,4 +1,4 @@
-#include "comparisons/app/memory_needed.hpp"
+#include "comparisons/modules/memory_needed.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -12,12 +12,19 @@
 
 namespace rebound {
 
+double memory_of_impact(const FemProblem& problem, int cells) {
+  constexpr double fixed = 2.5e6, explicit_cell = 1700.0, branch = 220.0, largest_strain = 40.0;
+  constexpr double implicit_cell = 27e3;
+  if (problem.scheme == FemScheme::implicit_steps) return fixed + implicit_cell * cells;
+  const Material& material = problem.material;
+  const double cell = explicit_cell + branch * static_cast<double>(material.branches.size()) +
+                      (material.strain.mullins > 0.0 ? largest_strain : 0.0);
+  return fixed + cell * cells;
+}
+
 double memory_needed(const FemProblem& problem, int cells) {
-  constexpr double module = 0.17e9, explicit_cell = 1500.0, branch = 130.0, implicit_cell = 25e3;
-  const double cell = problem.scheme == FemScheme::implicit_steps
-                          ? implicit_cell
-                          : explicit_cell + branch * static_cast<double>(problem.material.branches.size());
-  return module + cell * cells;
+  constexpr double module = 0.17e9;
+  return module + memory_of_impact(problem, cells);
 }
 
 double memory_available() {
