@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "comparisons/app/commands.hpp"
@@ -14,9 +16,11 @@
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/toml_writer.hpp"
+#include "comparisons/impact_report/impact_report.hpp"
 #include "comparisons/modules/memory_needed.hpp"
 #include "comparisons/modules/module_loader.hpp"
 #include "comparisons/numerical_error/reference_json.hpp"
+#include "comparisons/report/write_report.hpp"
 #include "comparisons/results/atomic_file.hpp"
 #include "comparisons/results/result_folder.hpp"
 #include "meshes/format/msh.hpp"
@@ -27,7 +31,9 @@ namespace rebound {
 namespace {
 
 std::string fem_help() {
-  return "Keys of FILE (TOML):\n" + help_text<FemImpactFile>() + "\n" + exit_code_help();
+  return "--out DIR writes result.json, trace.csv, effective.toml and report.html; with field_frames also "
+         "fields/impact.pvd for ParaView and the moving half-section of the report.\n\n"
+         "Keys of FILE (TOML):\n" + help_text<FemImpactFile>() + "\n" + exit_code_help();
 }
 
 /// A user's mesh in millimetres, or of another ball, would run and mislead.
@@ -57,8 +63,14 @@ Mesh mesh_for(const FemProblem& problem, int copies) {
   return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
 }
 
+constexpr const char* report_name = "report.html";
+
 void prepare_output(const Session& session, const Document& document, FemProblem& problem) {
-  if (!session.out.empty()) make_writable_folder(session.out);
+  if (!session.out.empty()) {
+    make_writable_folder(session.out);
+    std::error_code status;  // the page of an earlier run must not stand beside this one
+    std::filesystem::remove(session.out / report_name, status);
+  }
   if (problem.controls.field_frames == 0) return;
   if (session.out.empty())
     throw document.error_at("controls.field_frames", "fields need a folder to go to: give --out");
@@ -74,17 +86,18 @@ struct Outcome {
   Json json;  ///< null when incomplete
 };
 
-Outcome simulate(const FemProblem& problem, Errors errors) {
+Outcome simulate(FemProblem problem, Errors errors) {
   ProgressLine progress("FE impact");
+  constexpr int finest = 16, family = 1 + 4 + finest;
+  const Mesh mesh = mesh_for(problem, errors == Errors::reference ? family : 1);
+  const int cells = static_cast<int>(mesh.cells.size()) * (errors == Errors::reference ? finest : 1);
+  problem.controls.shape_frames = animated_frames(problem.controls.field_frames, cells);
   if (errors == Errors::reference) {
-    constexpr int family = 1 + 4 + 16;
-    const Mesh coarse = mesh_for(problem, family);
-    ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, progress.control());
+    ReferenceImpact reference = run_reference(fem_tier(), problem, mesh, progress.control());
     Json json = to_json(reference);
     return {std::move(reference.result), std::move(json)};
   }
-  FemResult result =
-      fem_tier().simulate(problem, mesh_for(problem, 1), progress.control());
+  FemResult result = fem_tier().simulate(problem, mesh, progress.control());
   Json json = result.incomplete_because.empty() ? to_json(result) : Json();
   return {std::move(result), std::move(json)};
 }
@@ -108,6 +121,8 @@ ExitCode run_fem(const Session& session, const std::string& file, Errors errors)
                   .provenance = provenance,
                   .further_keys = outcome.json},
                  outcome.result);
+    if (outcome.result.incomplete_because.empty())
+      report::write_report(impact_report(problem, outcome.result), session.out / report_name);
   }
   require_complete(session, file, outcome.result.incomplete_because);
   print_result(session, outcome.json);

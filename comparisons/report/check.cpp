@@ -81,6 +81,37 @@ void check_figure(const Place& outside, const Figure& figure) {
   }
 }
 
+void check_fields(const Place& place, const Animation& animation) {
+  for (const AnimationField& field : animation.fields) {
+    place.require(!field.name.empty() && !field.unit.empty(), "a field without name or unit");
+    place.require(std::isfinite(field.low) && std::isfinite(field.high) && field.high > field.low,
+                  "field \"" + field.name + "\" has no range");
+    place.require(field.values.size() == animation.frames.size(),
+                  "field \"" + field.name + "\" has not one row per frame");
+    for (const auto& row : field.values) {
+      place.require(row.size() == animation.cells.size(),
+                    "field \"" + field.name + "\" has not one value per cell");
+      for (const float value : row) place.require(std::isfinite(value), "a value is not finite");
+    }
+  }
+}
+
+void check_contact(const Place& place, const Animation& animation) {
+  const AnimationContact& contact = animation.contact;
+  if (contact.vertices.empty()) return;
+  place.require(!contact.unit.empty(), "contact pressure without a unit");
+  place.require(contact.pressure.size() == animation.frames.size(),
+                "contact pressure has not one row per frame");
+  for (const int vertex : contact.vertices)
+    place.require(vertex >= 0 &&
+                      static_cast<std::size_t>(vertex) < animation.frames.front().radius.size(),
+                  "the contact names a vertex that is not there");
+  for (const auto& row : contact.pressure) {
+    place.require(row.size() == contact.vertices.size(), "a row of contact pressure is ragged");
+    check_numbers(place, row, "contact pressure");
+  }
+}
+
 void check_animation(const Place& outside, const Animation& animation) {
   const Place place = outside.inside("animation", animation.title);
   place.require(!animation.title.empty(), "no title");
@@ -102,6 +133,8 @@ void check_animation(const Place& outside, const Animation& animation) {
                     "a cell names a vertex that is not there");
     }
   }
+  check_fields(place, animation);
+  check_contact(place, animation);
 }
 
 void check_table(const Place& outside, const Table& table) {

@@ -1,5 +1,6 @@
 #include "comparisons/report/half_section.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lumped/problem/error.hpp"
@@ -8,6 +9,60 @@ namespace rebound::report {
 namespace {
 
 double rounded_millimetres(double metres) { return std::round(metres * 1e6) / 1e3; }
+
+/// Four digits, which is more than a drawn curve shows.
+double rounded(double value) {
+  if (value == 0.0) return 0.0;
+  const double scale = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
+}
+
+struct Wording {
+  const char* name;
+  const char* unit;
+  double per_si;  ///< number in `unit` of one in SI
+};
+
+Wording wording_of(ShapeQuantity quantity) {
+  switch (quantity) {
+    case ShapeQuantity::von_mises: return {"von Mises stress", "MPa", 1e-6};
+    case ShapeQuantity::pressure: return {"pressure, compression positive", "MPa", 1e-6};
+    case ShapeQuantity::stored: return {"stored energy density", "kJ/m³", 1e-3};
+    case ShapeQuantity::dissipated: return {"dissipated energy density", "kJ/m³", 1e-3};
+    case ShapeQuantity::dissipated_or_held:
+      return {"energy density dissipated or held in branches", "kJ/m³", 1e-3};
+    case ShapeQuantity::speed: return {"speed", "m/s", 1.0};
+  }
+  __builtin_unreachable();
+}
+
+/// The colours end at the values that one in a thousand is beyond: one cell at the edge of
+/// the contact would take them from all others.
+AnimationField field_of(const ShapeField& field) {
+  const Wording wording = wording_of(field.quantity);
+  AnimationField shown{.name = wording.name, .unit = wording.unit, .values = field.values};
+  std::vector<float> all;
+  for (auto& row : shown.values)
+    for (float& value : row) all.push_back(value *= static_cast<float>(wording.per_si));
+  std::sort(all.begin(), all.end());
+  const std::size_t beyond = all.size() / 1000;
+  const double low = all[beyond], high = all[all.size() - 1 - beyond];
+  const double rounding = 1e-6 * std::max(std::abs(low), std::abs(high));
+  shown.low = low < -rounding ? rounded(low) : 0.0;
+  shown.high = high > rounding ? rounded(high) : 0.0;
+  if (!(shown.high > shown.low)) shown.high = shown.low + 1.0;
+  return shown;
+}
+
+AnimationContact contact_of(const ShapeHistory& shapes) {
+  AnimationContact contact{.vertices = shapes.contact_vertices, .unit = "MPa", .pressure = {}};
+  for (const auto& row : shapes.contact_pressure) {
+    std::vector<double> pressure;
+    for (const float value : row) pressure.push_back(rounded(1e-6 * static_cast<double>(value)));
+    contact.pressure.push_back(std::move(pressure));
+  }
+  return contact;
+}
 
 }  // namespace
 
@@ -31,6 +86,8 @@ Animation half_section(const ShapeHistory& shapes, const std::string& title,
     }
     animation.frames.push_back(std::move(frame));
   }
+  for (const ShapeField& field : shapes.fields) animation.fields.push_back(field_of(field));
+  if (!shapes.contact_vertices.empty()) animation.contact = contact_of(shapes);
   return animation;
 }
 

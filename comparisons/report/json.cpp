@@ -1,5 +1,7 @@
 #include "comparisons/report/json.hpp"
 
+#include "comparisons/report/packed_values.hpp"
+
 namespace rebound::report {
 
 using nlohmann::json;
@@ -62,6 +64,18 @@ static void to_json(json& out, const AnimationFrame& frame) {
   out = {{"time", frame.time}, {"radius", frame.radius}, {"height", frame.height}};
 }
 
+static void to_json(json& out, const AnimationField& field) {
+  out = {{"name", field.name},
+         {"unit", field.unit},
+         {"low", field.low},
+         {"high", field.high},
+         {"values", packed_values(field.values, {.low = field.low, .high = field.high})}};
+}
+
+static void to_json(json& out, const AnimationContact& contact) {
+  out = {{"unit", contact.unit}, {"vertices", contact.vertices}, {"pressure", contact.pressure}};
+}
+
 static void to_json(json& out, const Animation& animation) {
   out = {{"kind", "animation"},
          {"title", animation.title},
@@ -70,7 +84,9 @@ static void to_json(json& out, const Animation& animation) {
          {"length_unit", animation.length_unit},
          {"time_unit", animation.time_unit},
          {"cells", animation.cells},
-         {"frames", animation.frames}};
+         {"frames", animation.frames},
+         {"fields", animation.fields},
+         {"contact", animation.contact}};
 }
 
 static void to_json(json& out, const TableColumn& column) {

@@ -38,7 +38,9 @@ ShapeHistory shapes_at_rest(const Discretisation& body) {
 std::unique_ptr<ImpactFields> ImpactFields::asked_for(const FemProblem& problem,
                                                       const Watched& watched,
                                                       double expected_contact) {
-  if (problem.controls.field_frames <= 0 && problem.controls.shape_frames <= 0) return nullptr;
+  const FemControls& controls = problem.controls;
+  const bool files = controls.field_frames > 0 && !controls.field_directory.empty();
+  if (!files && controls.shape_frames <= 0) return nullptr;
   return std::unique_ptr<ImpactFields>(new ImpactFields(problem, watched, expected_contact));
 }
 
@@ -48,11 +50,12 @@ ImpactFields::ImpactFields(const FemProblem& problem, const Watched& watched,
       observer_(watched.body, watched.cells, watched.kernel, watched.material),
       pressure_(contact_edges(corners_of(watched.body), watched.body.contact_nodes),
                 watched.body.position, pressure_window * expected_contact),
-      field_clock_(problem.controls.field_frames, covered * expected_contact),
+      field_clock_(problem.controls.field_directory.empty() ? 0 : problem.controls.field_frames,
+                   covered * expected_contact),
       shape_clock_(problem.controls.shape_frames, covered * expected_contact),
       shapes_(shapes_at_rest(watched.body), watched.body.position),
       velocity_before_(watched.body.contact_nodes.size(), 0.0) {
-  if (problem.controls.field_frames > 0)
+  if (!problem.controls.field_directory.empty())
     writer_.emplace(vtu_mesh(watched.body), problem.controls.field_directory);
 }
 

@@ -25,7 +25,7 @@ class ImpactFields {
     const ViscoelasticConstants& material;
   };
 
-  /// Null when `problem` asks for neither. `expected_contact` [s]: frames are spread
+  /// Null when `problem` asks for neither; frames without a folder are not asked for. `expected_contact` [s]: frames are spread
   /// over 1.3 of it and go on at that rate; pressure is a mean over its last
   /// hundredth to fiftieth.
   static std::unique_ptr<ImpactFields> asked_for(const FemProblem& problem, const Watched& watched,

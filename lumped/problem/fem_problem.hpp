@@ -18,7 +18,7 @@ struct FemControls {
   double end_time = 0.0;         ///< give up after this much contact [s]; 0: 20 Hertz contact times
   int shape_frames = 0;          ///< shapes kept in the result, over the contact; 0: none
   int field_frames = 0;          ///< number of field outputs over the contact; 0: none
-  std::string field_directory;   ///< where VTU and PVD go; needed when field_frames > 0
+  std::string field_directory;   ///< where VTU and PVD go; empty: nowhere
 
   friend bool operator==(const FemControls&, const FemControls&) = default;
 };

@@ -105,6 +105,58 @@ test("the half-section moves with the slider and by itself", () => withPage(demo
   assert.deepEqual(complaints, []);
 }));
 
+test("the half-section is coloured by the chosen field, over one range", () => withPage(demo, 1280, async ({ page, complaints }) => {
+  const coloured = () => page.$$eval(".moving .coloured", (paths) =>
+    paths.map((path) => path.getAttribute("d")).filter(Boolean).length);
+  const legend = () => page.textContent(".moving .legend-place");
+  assert.deepEqual(await page.$$eval(".moving select option", (options) => options.map((option) => option.textContent)),
+    ["made-up stress", "made-up depth", "shape only"]);
+  assert.equal(await page.getAttribute(".moving label", "class"), "field-choice");
+  assert.match(await legend(), /made-up stress \(MPa\)012/);
+  // Ten rings, each of one value, on both sides of the axis.
+  assert.equal(await coloured(), 20);
+  await page.focus(".moving input");
+  await page.keyboard.press("Home");
+  assert.equal(await coloured(), 2, "at rest every cell has the first colour");
+  assert.match(await legend(), /made-up stress \(MPa\)012/);
+  // By keyboard alone: the next option.
+  await page.focus(".moving select");
+  await page.keyboard.press("ArrowDown");
+  assert.match(await legend(), /made-up depth \(mm\)-101/);
+  assert.ok(await coloured() >= 40);
+  const cells = () => page.$eval(".moving .cells", (path) => getComputedStyle(path).fill);
+  assert.equal(await cells(), "none");
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await coloured(), 0);
+  assert.equal(await legend(), "");
+  assert.notEqual(await cells(), "none");
+  assert.deepEqual(complaints, []);
+}));
+
+test("the contact pressure hangs under the plate and follows time", () => withPage(demo, 1280, async ({ page }) => {
+  const depth = () => page.$eval(".contact-pressure", (path) => path.getBBox().height);
+  const squeezed = await depth();
+  assert.ok(squeezed > 0);
+  assert.match(await page.textContent(".moving .note"), /largest of all frames is 3 MPa/);
+  await page.focus(".moving input");
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowLeft");
+  assert.ok(Math.abs(await depth() / squeezed - Math.SQRT1_2) < 1e-3);
+  await page.keyboard.press("Home");
+  assert.equal(await depth(), 0);
+}));
+
+test("the half-section pauses where it is", () => withPage(demo, 1280, async ({ page }) => {
+  const place = () => page.inputValue(".moving input");
+  await page.click(".moving button");
+  assert.equal(await page.textContent(".moving button"), "Pause");
+  await page.waitForFunction(() => document.querySelector(".moving input").value !== "8");
+  await page.click(".moving button");
+  const paused = await place();
+  await page.waitForTimeout(300);
+  assert.equal(await place(), paused);
+  assert.equal(await page.textContent(".moving button"), "Play");
+}));
+
 test("folded sections open and show their text", () => withPage(demo, 1280, async ({ page }) => {
   assert.equal(await page.isVisible("pre"), false);
   await page.click("summary");

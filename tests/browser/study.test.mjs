@@ -45,3 +45,10 @@ test("the study's report fits a telephone", () => withPage(study, 390, async ({ 
   assert.ok(widths[0] <= widths[1], `the page is ${widths[0]} px wide on ${widths[1]} px`);
   assert.deepEqual(complaints, []);
 }));
+
+test("the deepest impact shows its stress", () => withPage(study, 1280, async ({ page, complaints }) => {
+  const names = await page.$$eval(".moving select option", (options) => options.map((option) => option.textContent));
+  assert.ok(names.includes("von Mises stress") && names.includes("shape only"), names.join());
+  assert.ok(await page.$$eval(".moving .coloured", (paths) => paths.filter((path) => path.getAttribute("d")).length) > 20);
+  assert.deepEqual(complaints, []);
+}));

@@ -20,6 +20,44 @@ TEST_F(FemCommandTest, PrintsTheContractsKeysAndTheMomentumRestitution) {
                   .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
 }
 
+TEST_F(FemCommandTest, OneCommandGivesFieldsAndTheReportThatMoves) {
+  folder.write("a.toml", fem_file + "[controls]\nfield_frames = 12\n");
+  const Outcome outcome = rebound({"fem", "a.toml", "--out", "results"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_NE(read_whole(folder.path() / "results/fields/impact.pvd").find("frame-0008.vtu"),
+            std::string::npos);
+  EXPECT_NE(read_whole(folder.path() / "results/fields/frame-0008.vtu").find("von_mises_stress_Pa"),
+            std::string::npos);
+  const std::string report = read_whole(folder.path() / "results/report.html");
+  EXPECT_NE(report.find("\"kind\":\"animation\""), std::string::npos);
+
+  // The frames move nothing: the same trace without them, and a report that stands still.
+  const std::string trace = read_whole(folder.path() / "results/trace.csv");
+  folder.write("b.toml", fem_file);
+  ASSERT_EQ(rebound({"fem", "b.toml", "--out", "still"}).exit_code, 0);
+  EXPECT_EQ(read_whole(folder.path() / "still/trace.csv"), trace);
+  EXPECT_FALSE(there("still/fields"));
+  EXPECT_EQ(read_whole(folder.path() / "still/report.html").find("\"kind\":\"animation\""),
+            std::string::npos);
+}
+
+TEST_F(FemCommandTest, FieldsThatCannotBeWrittenAreExitFour) {
+  folder.write("a.toml", fem_file + "[controls]\nfield_frames = 12\n");
+  std::filesystem::create_directories(folder.path() / "results");
+  folder.write("results/fields", "a file where the folder should be");
+  const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
+  EXPECT_NE(nlohmann::json::parse(outcome.output)["error"]["file"].get<std::string>().find("fields"),
+            std::string::npos);
+  EXPECT_FALSE(there("results/result.json"));
+}
+
+TEST_F(FemCommandTest, OtherCommandsTakeAFileThatAsksForFields) {
+  folder.write("a.toml", fem_file + "[controls]\nfield_frames = 12\n");
+  const Outcome outcome = rebound({"drop", "a.toml", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output << outcome.errors;
+}
+
 TEST_F(FemCommandTest, CellsBeyondTheMemoryAreRefusedBeforeTheyAreMade) {
   folder.write("big.toml", replaced(fem_file, "cells = 60", "cells = 1000000"));
   Invocation limited{.arguments = {"/bin/bash", "-c",
@@ -114,6 +152,8 @@ TEST_F(FemCommandTest, AMeshOfAnotherBallIsRefused) {
 }
 
 TEST_F(FemCommandTest, AContactThatDoesNotEndInTimeReportsNoScalar) {
+  std::filesystem::create_directories(folder.path() / "results");
+  folder.write("results/report.html", "of an earlier run");
   folder.write("a.toml", fem_file + "[controls]\nend_time = \"0.5 ms\"\n");
   const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
@@ -122,6 +162,7 @@ TEST_F(FemCommandTest, AContactThatDoesNotEndInTimeReportsNoScalar) {
   EXPECT_FALSE(json.contains("restitution"));
   EXPECT_FALSE(there("results/result.json"));
   EXPECT_FALSE(there("results/trace.csv"));
+  EXPECT_FALSE(there("results/report.html"));
   ASSERT_TRUE(there("results/incomplete.json"));
   const auto kept = nlohmann::json::parse(read_whole(folder.path() / "results/incomplete.json"));
   EXPECT_FALSE(kept.contains("restitution"));

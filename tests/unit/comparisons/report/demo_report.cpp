@@ -201,6 +201,22 @@ Animation squeezed_disc() {
     }
     animation.frames.push_back(frame);
   }
+  // A field that grows with the squeeze and outward, one that does not move, a pressure.
+  AnimationField stress{.name = "made-up stress", .unit = "MPa", .low = 0.0, .high = 2.0, .values = {}};
+  AnimationField depth{.name = "made-up depth", .unit = "mm", .low = -1.0, .high = 1.0, .values = {}};
+  animation.contact = {.vertices = {0, sectors + 2, 2 * sectors + 3}, .unit = "MPa", .pressure = {}};
+  for (int i = 0; i <= frames; ++i) {
+    const double squeeze = std::sin(std::numbers::pi * i / frames);
+    std::vector<float> grown, still;
+    for (int cell = 0; cell < rings * sectors; ++cell) {
+      grown.push_back(static_cast<float>(2.0 * squeeze * (cell / sectors + 1) / rings));
+      still.push_back(static_cast<float>(2.0 * (cell % sectors) / sectors - 1.0));
+    }
+    stress.values.push_back(std::move(grown));
+    depth.values.push_back(std::move(still));
+    animation.contact.pressure.push_back({3.0 * squeeze, 2.0 * squeeze, 0.0});
+  }
+  animation.fields = {std::move(stress), std::move(depth)};
   return animation;
 }
 
