@@ -202,6 +202,22 @@ void describe(Visitor& visit, Material& material) {
              material.layers);
 }
 
+void describe(Visitor& visit, AdhesiveTraction& adhesion) {
+  visit.number({.name = "work",
+                .sentence = "Work of adhesion: what it takes to part the ball's surface from the "
+                            "plate, per area at rest.",
+                .unit = "J/m^2",
+                .range = at_least(0.0)},
+               adhesion.work);
+  number_unless(visit, 0.0,
+                {.name = "range",
+                 .sentence = "Gap at which the traction has faded; absent: where the Tabor number is "
+                             "0.1, between a hundredth and a tenth of the radius.",
+                 .unit = "mm",
+                 .range = at_least(0.0)},
+                adhesion.range);
+}
+
 void describe(Visitor& visit, FemControls& controls) {
   visit.number({.name = "step_safety",
                 .sentence = "Time step over the stable time step; implicit: over a 180th of the "
@@ -258,6 +274,10 @@ void describe_fem_model(Visitor& visit, FemProblem& problem) {
                .sentence = "What the ball hits; absent: rigid, without friction.",
                .presence = Presence::optional},
               problem.plate);
+  visit.table({.name = "adhesion",
+               .sentence = "Traction that pulls the surface to the plate; absent: none.",
+               .presence = Presence::optional},
+              problem.adhesion);
 }
 
 void describe(Visitor& visit, FemImpactFile& file) {

@@ -39,6 +39,7 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBook>& energie
       {"branches_J", &EnergyBook::branches, true},
       {"contact_constraint_J", &EnergyBook::contact_constraint, true},
       {"friction_J", &EnergyBook::friction, false},
+      {"adhesion_J", &EnergyBook::adhesion, false},
       {"plate_kinetic_J", &EnergyBook::plate_kinetic, false},
       {"plate_spring_J", &EnergyBook::plate_spring, false},
       {"plate_damper_J", &EnergyBook::plate_damper, false},

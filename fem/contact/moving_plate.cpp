@@ -6,13 +6,14 @@
 
 namespace rebound::fem {
 
-MovingPlate::MovingPlate(const Discretisation& body, const Plate& plate)
-    : PlateContact(body, plate.friction),
+MovingPlate::MovingPlate(const Discretisation& body, const Plate& plate,
+                         const AdhesiveTraction& adhesion)
+    : PlateContact(body, {.friction = plate.friction, .adhesion = adhesion}),
       mass_(plate.mass),
       stiffness_(plate.stiffness),
       damping_(2.0 * plate.damping_ratio * std::sqrt(plate.stiffness * plate.mass)) {}
 
-double MovingPlate::solve_velocity(const std::vector<double>& displacement,
+double MovingPlate::solve_velocity(const std::vector<double>& displacement, double pull,
                                    const std::vector<double>& velocity,
                                    const StepSpan& span) const {
   const double drift_before = 2.0 * span.kick - span.drift;
@@ -20,7 +21,7 @@ double MovingPlate::solve_velocity(const std::vector<double>& displacement,
   const double half_damping = 0.5 * span.kick * damping_;
   const double inertia = mass_ + quarter * span.drift + half_damping;
   const double momentum = velocity_ * (mass_ + quarter * drift_before - half_damping) -
-                          span.kick * stiffness_ * displacement_;
+                          span.kick * stiffness_ * displacement_ - pull;
   double plate = momentum / inertia;
   for (std::size_t round = 0; round <= nodes_.size(); ++round) {
     double caught_mass = inertia, caught_momentum = momentum;
@@ -43,7 +44,8 @@ PlateStep MovingPlate::hold_back(const std::vector<double>& displacement,
                                  std::vector<double>& velocity, const StepSpan& span) {
   PlateStep step;
   velocity_before_step_ = velocity_;
-  velocity_ = solve_velocity(displacement, velocity, span);
+  step.pull = attract(displacement, displacement_, span, velocity);
+  velocity_ = solve_velocity(displacement, step.pull, velocity, span);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const ContactNode& contact = nodes_[i];
     const double height = contact.z + displacement[2 * contact.node + 1] + displacement_;

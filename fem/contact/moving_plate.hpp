@@ -16,8 +16,8 @@ namespace rebound::fem {
 /// One step, V the plate's velocity half a step before (−) and after (+) tₙ,
 /// κ the kick, h the drift:
 ///
-///   M (V₊ − V₋) = Σ I − κ [k (ȳ₋ + ȳ₊)/2 + c (V₋ + V₊)/2],  ȳ± = yₙ ± h± V±/2
-///   I = m max(0, w − V₊),    w = −(z + yₙ)/h − v
+///   M (V₊ − V₋) = Σ I − I_a − κ [k (ȳ₋ + ȳ₊)/2 + c (V₋ + V₊)/2],  ȳ± = yₙ ± h± V±/2
+///   I = m max(0, w − V₊),    w = −(z + yₙ)/h − v,    I_a the pull of adhesion
 ///
 /// A node touches if w > V₊, and V₊ depends on which touch: one increasing
 /// concave equation, which Newton's method solves in as many rounds as nodes
@@ -33,7 +33,7 @@ namespace rebound::fem {
 /// Source:  Hallquist et al. as RigidPlate; trapezoidal rule: Newmark 1959.
 class MovingPlate final : public PlateContact {
  public:
-  MovingPlate(const Discretisation& body, const Plate& plate);
+  MovingPlate(const Discretisation& body, const Plate& plate, const AdhesiveTraction& adhesion = {});
 
   PlateStep hold_back(const std::vector<double>& displacement, std::vector<double>& velocity,
                       const StepSpan& span) override;
@@ -48,7 +48,8 @@ class MovingPlate final : public PlateContact {
  private:
   /// Displacement of the plate left to itself, `ahead` seconds from now.
   double free_displacement(double ahead) const;
-  double solve_velocity(const std::vector<double>& displacement,
+  /// `pull`: impulse of adhesion over the step [N s].
+  double solve_velocity(const std::vector<double>& displacement, double pull,
                         const std::vector<double>& velocity, const StepSpan& span) const;
 
   double mass_, stiffness_, damping_;

@@ -6,11 +6,15 @@
 
 namespace rebound::fem {
 
-PlateContact::PlateContact(const Discretisation& body, double friction) : friction_(friction) {
+PlateContact::PlateContact(const Discretisation& body, const PlateSurface& surface)
+    : friction_(surface.friction) {
   for (const int node : body.contact_nodes)
     nodes_.push_back({node, body.position[node][0], body.position[node][1], body.mass[node]});
   velocity_before_.resize(nodes_.size());
   radial_before_.resize(nodes_.size());
+  if (!surface.adhesion.acts()) return;
+  adhesion_.emplace(body, surface.adhesion);
+  potential_at_rest_ = potential(std::vector<double>(2 * body.position.size(), 0.0), 0.0);
 }
 
 void PlateContact::remember(const std::vector<double>& velocity) {
@@ -18,6 +22,32 @@ void PlateContact::remember(const std::vector<double>& velocity) {
     radial_before_[i] = velocity[2 * nodes_[i].node];
     velocity_before_[i] = velocity[2 * nodes_[i].node + 1];
   }
+}
+
+double PlateContact::attract(const std::vector<double>& displacement, double plate,
+                             const StepSpan& span, std::vector<double>& velocity) const {
+  double impulse = 0.0;
+  if (!adhesion_) return impulse;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const ContactNode& contact = nodes_[i];
+    const double gap = contact.z + displacement[2 * contact.node + 1] + plate;
+    const double pull = span.kick * adhesion_->pull(i, gap);
+    velocity[2 * contact.node + 1] -= pull / contact.mass;
+    impulse += pull;
+  }
+  return impulse;
+}
+
+double PlateContact::potential(const std::vector<double>& displacement, double plate) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    sum += adhesion_->potential(
+        i, nodes_[i].z + displacement[2 * nodes_[i].node + 1] + plate);
+  return sum;
+}
+
+double PlateContact::adhesive_energy(const std::vector<double>& displacement) const {
+  return adhesion_ ? potential(displacement, state().displacement) - potential_at_rest_ : 0.0;
 }
 
 void PlateContact::rub(std::size_t i, double impulse, std::vector<double>& velocity,

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "fem/contact/adhesive_layer.hpp"
 #include "fem/discretisation/discretisation.hpp"
 
 namespace rebound::fem {
 
 /// What the plate and the body did to each other over one step.
 struct PlateStep {
-  double impulse = 0.0;          ///< on the body, away from the plate [N s]
+  double impulse = 0.0;          ///< on the body, away from the plate, adhesion not in it [N s]
+  double pull = 0.0;             ///< impulse of adhesion, towards the plate [N s]
   double constraint_work = 0.0;  ///< done on body and plate together, ≤ 0 [J]
   double friction_work = 0.0;    ///< done on the body by friction, ≤ 0 in the mean [J]
   double contact_radius = 0.0;   ///< largest radius of a node in contact; 0: none [m]
@@ -37,6 +40,12 @@ struct Departure {
   double horizon = 0.0;    ///< how far ahead a new contact counts [s]
 };
 
+/// What touching the plate brings beside being held.
+struct PlateSurface {
+  double friction = 0.0;      ///< μ [-]
+  AdhesiveTraction adhesion;  ///< with its range chosen
+};
+
 /// A plate at z = 0 that acts on the nodes of the contact group.
 ///
 /// Coulomb friction acts on the nodes that the plate pushes:
@@ -52,9 +61,12 @@ struct Departure {
 ///         -> tests FrictionTest, FrictionImpact.
 /// Caution: a step without normal impulse has no friction; with the contact's
 ///          ripple a sticking node may creep at the edge of the contact.
+///
+/// Where there is adhesion, it pulls on every node within its range, those that the
+/// plate pushes included: the normal impulse of friction is then the greater by it.
 class PlateContact {
  public:
-  explicit PlateContact(const Discretisation& body, double friction = 0.0);
+  explicit PlateContact(const Discretisation& body, const PlateSurface& surface = {});
   virtual ~PlateContact() = default;
 
   /// Keeps the normal and radial velocities that the step's forces are about to change.
@@ -74,6 +86,9 @@ class PlateContact {
   virtual bool is_clear_of(const std::vector<double>& displacement,
                            const Departure& body) const = 0;
 
+  /// Potential of adhesion, against that at rest, first touch [J].
+  double adhesive_energy(const std::vector<double>& displacement) const;
+
   /// Smallest height above z = 0 of a node that may touch [m].
   double gap(const std::vector<double>& displacement) const;
 
@@ -85,10 +100,20 @@ class PlateContact {
   /// Friction on contact node `i`, pushed by `impulse`; books it in `step`.
   void rub(std::size_t i, double impulse, std::vector<double>& velocity, PlateStep& step) const;
 
+  /// Adhesion over the step, into `velocity`; the plate's surface is at z = −`plate`. [N s]
+  double attract(const std::vector<double>& displacement, double plate, const StepSpan& span,
+                 std::vector<double>& velocity) const;
+
   std::vector<ContactNode> nodes_;
   std::vector<double> velocity_before_;
   std::vector<double> radial_before_;
+
+ private:
+  double potential(const std::vector<double>& displacement, double plate) const;
+
   double friction_;
+  std::optional<AdhesiveLayer> adhesion_;
+  double potential_at_rest_ = 0.0;
 };
 
 }  // namespace rebound::fem

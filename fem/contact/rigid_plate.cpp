@@ -7,6 +7,7 @@ namespace rebound::fem {
 PlateStep RigidPlate::hold_back(const std::vector<double>& displacement,
                                 std::vector<double>& velocity, const StepSpan& span) {
   PlateStep step;
+  step.pull = attract(displacement, 0.0, span, velocity);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const ContactNode& contact = nodes_[i];
     const double z = contact.z + displacement[2 * contact.node + 1];

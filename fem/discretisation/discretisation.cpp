@@ -11,6 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <map>
+#include <numbers>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -102,6 +106,22 @@ std::vector<int> nodes_of(const std::vector<std::array<int, 2>>& edges,
   return {nodes.begin(), nodes.end()};
 }
 
+/// ∮ 2πR N ds of each of `nodes` along the contact edges.
+std::vector<double> areas_of(const std::vector<int>& nodes, const Mesh& mesh,
+                             const std::vector<int>& node_of_vertex) {
+  std::map<int, double> area;
+  for (const auto& [first, second] : mesh.contact_edges) {
+    const auto& a = mesh.vertices[static_cast<std::size_t>(first)];
+    const auto& b = mesh.vertices[static_cast<std::size_t>(second)];
+    const double third = std::numbers::pi * std::hypot(b[0] - a[0], b[1] - a[1]) / 3.0;
+    area[node_of_vertex[first]] += third * (2.0 * a[0] + b[0]);
+    area[node_of_vertex[second]] += third * (a[0] + 2.0 * b[0]);
+  }
+  std::vector<double> areas;
+  for (const int node : nodes) areas.push_back(area[node]);
+  return areas;
+}
+
 }  // namespace
 
 Discretisation discretise(const Mesh& mesh, double mass) {
@@ -146,6 +166,7 @@ Discretisation discretise(const Mesh& mesh, double mass) {
   body.contact_nodes = nodes_of(mesh.contact_edges, node_of_vertex);
   std::sort(body.contact_nodes.begin(), body.contact_nodes.end(),
             [&](int a, int b) { return body.position[a] < body.position[b]; });
+  body.contact_area = areas_of(body.contact_nodes, mesh, node_of_vertex);
   return body;
 }
 

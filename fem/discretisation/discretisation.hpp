@@ -34,6 +34,7 @@ struct Discretisation {
   std::vector<double> mass;                     ///< per node [kg]
   std::vector<int> axis_nodes;
   std::vector<int> contact_nodes;               ///< ascending radius
+  std::vector<double> contact_area;             ///< ∮ 2πR N ds at rest, per contact node [m²]
   double density = 0.0;                         ///< [kg/m³]
 
   int node_count() const { return static_cast<int>(position.size()); }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
+#include "fem/contact/adhesive_range.hpp"
+#include "fem/implicit/adhesive_sides.hpp"
 #include "fem/implicit/equilibrium.hpp"
 #include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
@@ -52,6 +55,8 @@ class ImplicitImpact {
   const FemProblem& problem_;
   QuadraticBody body_;
   BodyForces forces_;
+  AdhesiveTraction traction_;  ///< its range chosen
+  std::optional<AdhesiveSides> adhesion_;
   EquilibriumSearch search_;
   HeldNodes held_;
   std::vector<int> massless_;  ///< unknowns without inertia
@@ -66,7 +71,8 @@ class ImplicitImpact {
   long steps_ = 0;
   double smallest_step_;
   double initial_kinetic_ = 0.0, internal_work_ = 0.0, constraint_work_ = 0.0;
-  double contact_force_ = 0.0, force_before_ = 0.0, last_contact_ = 0.0;
+  double contact_force_ = 0.0, force_before_ = 0.0, last_contact_ = 0.0;  ///< without adhesion
+  double pull_ = 0.0, potential_at_rest_ = 0.0;
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0, worst_energy_error_ = 0.0;
 };
 
@@ -74,6 +80,8 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
     : problem_(problem),
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
       forces_(body_, problem.material, ContactInertia::removed),
+      traction_{.work = problem.adhesion.work,
+                .range = adhesive_range(problem, forces_.law().constants().instantaneous)},
       search_(body_, forces_.empty_matrix()),
       held_(body_),
       expected_time_(expected_contact_time(problem, forces_.law().constants().instantaneous)),
@@ -95,6 +103,12 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
   for (const ContactPlace& place : body_.contact) massless_.push_back(2 * place.node + 1);
   for (const int unknown : massless_) now_.a[unknown] = 0.0;
   last_change_.setZero(size);
+  if (traction_.acts()) {
+    adhesion_.emplace(body_, traction_, forces_.empty_matrix());
+    adhesion_->add_forces(now_.u, now_.force);
+    pull_ = adhesion_->pull(now_.u);
+    potential_at_rest_ = adhesion_->potential(now_.u);
+  }
   initial_kinetic_ = 0.5 * now_.v.dot(forces_.times_mass(now_.v));
 }
 
@@ -115,6 +129,10 @@ EquilibriumTask ImplicitImpact::task_of(double step) const {
                     inertia](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
                                                SystemMatrix& matrix) {
     const auto outcome = forces_.linearise(u, {.stiffness = 1.0, .mass = inertia}, residual, matrix);
+    if (adhesion_) {
+      adhesion_->add_forces(u, residual);
+      adhesion_->add_derivative(u, matrix);
+    }
     residual += fixed_part + inertia * forces_.times_mass(u);
     return outcome;
   };
@@ -151,12 +169,14 @@ bool ImplicitImpact::advance(double step, int cuts) {
 
 void ImplicitImpact::accept(double step, MotionState next) {
   forces_.forces(next.u, next.force);
+  if (adhesion_) adhesion_->add_forces(next.u, next.force);
   forces_.accept(next.u);
   const Eigen::VectorXd change = next.u - now_.u;
   internal_work_ += 0.5 * change.dot(now_.force + next.force);
   constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
   const double force = next.reaction.sum();
-  const double impulse = 0.5 * step * (contact_force_ + force);
+  const double pull = adhesion_ ? adhesion_->pull(next.u) : 0.0;
+  const double impulse = 0.5 * step * (contact_force_ + force - pull_ - pull);
   recorder_.add_impulse(impulse, now_.time, next.time);
   if (force > 0.0) {
     last_contact_ = next.time;
@@ -168,6 +188,7 @@ void ImplicitImpact::accept(double step, MotionState next) {
   }
   force_before_ = contact_force_;
   contact_force_ = force;
+  pull_ = pull;
   contact_radius_ = force > 0.0 ? held_.contact_radius(next.u) : 0.0;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
   last_change_ = change;
@@ -182,7 +203,9 @@ void ImplicitImpact::book(EnergyBook& book) const {
   book.kinetic_centre_of_mass = 0.5 * body_.mass * speed * speed;
   book.kinetic_vibration = kinetic - book.kinetic_centre_of_mass;
   book.stored = forces_.stored_energy(now_.u);
-  book.branches = forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - book.stored;
+  book.adhesion = adhesion_ ? adhesion_->potential(now_.u) - potential_at_rest_ : 0.0;
+  book.branches =
+      forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - book.stored - book.adhesion;
   book.contact_constraint = -constraint_work_;
   book.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
 }
@@ -190,7 +213,7 @@ void ImplicitImpact::book(EnergyBook& book) const {
 void ImplicitImpact::sample() {
   book(book_);
   const double found = book_.kinetic_centre_of_mass + book_.kinetic_vibration + book_.stored +
-                       book_.branches + book_.contact_constraint + book_.gravity;
+                       book_.branches + book_.contact_constraint + book_.adhesion + book_.gravity;
   worst_energy_error_ =
       std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
   recorder_.add_sample({.deflection = -forces_.axial_mass().dot(now_.u) / body_.mass,
@@ -210,7 +233,8 @@ bool ImplicitImpact::contact_is_over() const {
   const double left = book_.kinetic_vibration + book_.stored;
   const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / body_.mass) *
                            problem_.sphere.radius() / (2.65 * wave);
-  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > amplitude;
+  const double reach = traction_.acts() ? traction_.range : 0.0;
+  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > amplitude + reach;
 }
 
 FemResult ImplicitImpact::run(const RunControl& control) {

@@ -181,7 +181,8 @@ void BodyBuilder::find_contact() {
       if (!contact_edges_.contains(key(a, b))) continue;
       const auto& from = mesh_.vertices[a];
       const auto& to = mesh_.vertices[b];
-      for (const int node : {corner_[a], corner_[b], middle(a, b)}) {
+      body_.contact_sides.push_back({corner_[a], corner_[b], middle(a, b)});
+      for (const int node : body_.contact_sides.back()) {
         normal_[node][0] -= to[1] - from[1];
         normal_[node][1] += to[0] - from[0];
       }

@@ -37,6 +37,7 @@ struct QuadraticBody {
   std::vector<std::array<double, 2>> position;  ///< at rest, (r, z) [m]
   std::vector<int> axis_nodes;
   std::vector<ContactPlace> contact;            ///< group "contact", ascending radius
+  std::vector<std::array<int, 3>> contact_sides; ///< its sides: both ends, the middle
   double mass = 0.0;                            ///< [kg]
   double density = 0.0;                         ///< [kg/m³]
   double height = 0.0;                          ///< of the highest node [m]

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "fem/contact/adhesive_range.hpp"
 #include "fem/contact/moving_plate.hpp"
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/kernel/cell_batches.hpp"
@@ -47,6 +48,7 @@ class ExplicitImpact {
   const CellArrays& arrays_ = cells_.arrays();
   double first_step_, step_before_, step_, smallest_step_;
   BodyMotion motion_;
+  const AdhesiveTraction adhesion_;  ///< its range chosen
   std::unique_ptr<PlateContact> plate_;
   std::vector<double> history_;
   int pole_ = 0;  ///< the node farthest from the plate
@@ -77,9 +79,12 @@ double step_at_rest(const CellBatches& cells, const FemControls& controls) {
   return controls.largest_step > 0.0 ? std::min(allowed, controls.largest_step) : allowed;
 }
 
-std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const Plate& plate) {
-  if (plate.moves()) return std::make_unique<MovingPlate>(body, plate);
-  return std::make_unique<RigidPlate>(body, plate.friction);
+std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const FemProblem& problem,
+                                         const AdhesiveTraction& adhesion) {
+  const Plate& plate = problem.plate;
+  if (plate.moves()) return std::make_unique<MovingPlate>(body, plate, adhesion);
+  return std::make_unique<RigidPlate>(
+      body, PlateSurface{.friction = plate.friction, .adhesion = adhesion});
 }
 
 // Velocities belong to half steps: the first, half a step before the touch, is
@@ -96,7 +101,9 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       smallest_step_(first_step_),
       motion_(body, problem.impact.speed - 0.5 * first_step_ * problem.gravity,
               {body, cells_.cell_frequency_squared(), problem.controls.step_safety}),
-      plate_(make_plate(body, problem.plate)),
+      adhesion_{.work = problem.adhesion.work,
+                .range = adhesive_range(problem, material_.instantaneous)},
+      plate_(make_plate(body, problem, adhesion_)),
       history_(cells_.make_history()),
       expected_time_(expected_contact_time(problem, material_.instantaneous)),
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
@@ -129,6 +136,7 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const PlateSt
   book_.branches = material_.dissipates() ? internal_work_ - book_.stored : 0.0;
   book_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
   book_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
+  book_.adhesion = plate_->adhesive_energy(motion_.displacement);
   const PlateState plate = plate_->state();
   book_.plate_kinetic = plate.kinetic;
   book_.plate_spring = plate.spring;
@@ -136,8 +144,8 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const PlateSt
   book_.gravity =
       problem_.gravity > 0.0 ? mass * problem_.gravity * motion_.mean_height() : 0.0;
   const double found = kinetic + book_.stored + book_.branches + book_.contact_constraint +
-                       book_.friction + book_.plate_kinetic + book_.plate_spring + book_.plate_damper +
-                       book_.gravity;
+                       book_.friction + book_.adhesion + book_.plate_kinetic + book_.plate_spring +
+                       book_.plate_damper + book_.gravity;
   worst_energy_error_ =
       std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
 }
@@ -197,7 +205,7 @@ void ExplicitImpact::step() {
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
   const double start = time_ - 0.5 * step_before_, end = time_ + 0.5 * step_;
   if (fields_) fields_->after_plate(motion_.velocity, end);
-  recorder_.add_impulse(plate.impulse, start, end);
+  recorder_.add_impulse(plate.impulse - plate.pull, start, end);
   recorder_.add_reading(plate.reading, start, end);
   if (plate.impulse > 0.0) last_contact_ = end;
   if (sampling) record_samples(before, plate);
@@ -221,8 +229,9 @@ bool ExplicitImpact::contact_is_over() const {
   const double left = book_.kinetic_vibration + book_.stored;
   const double mass = motion_.total_mass();
   const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / mass) / frequency;
+  const double reach = adhesion_.acts() ? adhesion_.range : 0.0;
   return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
-                                                    .vibration = amplitude,
+                                                    .vibration = amplitude + reach,
                                                     .horizon = end_time_});
 }
 

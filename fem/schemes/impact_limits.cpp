@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fem/contact/adhesive_range.hpp"
 #include "fem/materials/viscoelastic_constants.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -54,8 +55,9 @@ void check_problem(const FemProblem& problem) {
   if (!zero_or_positive(interval)) refuse("controls.output_interval", interval, ">= 0 s");
   if (!zero_or_positive(problem.gravity)) refuse("impact.gravity", problem.gravity, ">= 0 m/s^2");
   check_plate(problem.plate);
-  const double contact = expected_contact_time(
-      problem, viscoelastic_constants(problem.material).instantaneous);
+  const Moduli instantaneous = viscoelastic_constants(problem.material).instantaneous;
+  check_adhesion(problem, instantaneous);
+  const double contact = expected_contact_time(problem, instantaneous);
   if (interval > 0 && interval < contact / most_samples)
     refuse("controls.output_interval", interval, "0, or a 100000th of the contact time and more");
   if (problem.impact.separation != SeparationRule::zero_force)

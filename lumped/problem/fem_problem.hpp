@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lumped/problem/adhesive_traction.hpp"
 #include "lumped/problem/impact.hpp"
 #include "lumped/problem/material.hpp"
 #include "lumped/problem/plate.hpp"
@@ -36,6 +37,7 @@ struct FemProblem {
   Impact impact;
   Material material;
   Plate plate;
+  AdhesiveTraction adhesion;
   double gravity = 0.0;   ///< towards the plate; 0: left out [m/s²]
   int cells = 1000;       ///< about; when no mesh file is given
   std::string mesh_file;  ///< a user's own mesh; empty: generate

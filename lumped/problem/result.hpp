@@ -47,6 +47,7 @@ struct EnergyBook {
   double branches = 0.0;           ///< internal work − stored: held by or dissipated in branches
   double contact_constraint = 0.0; ///< lost when nodes are caught by the plate
   double friction = 0.0;           ///< dissipated by sliding on the plate
+  double adhesion = 0.0;           ///< potential of the adhesive traction; zero at first touch
   double plate_kinetic = 0.0;      ///< of a plate that moves
   double plate_spring = 0.0;       ///< held by the spring under it
   double plate_damper = 0.0;       ///< dissipated in the damper under it

@@ -23,6 +23,10 @@ Effect adhesion_effect() {
           [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.adhesion = choice.size;
           },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.adhesion.work = choice.size;
+          },
   };
 }
 

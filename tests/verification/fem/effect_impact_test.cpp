@@ -38,6 +38,7 @@ const std::map<std::string, Change> expected = {
     {"strain-stiffening", {1, -1, 0}}, {"foam-softening", {-1, 1, 0}}, {"densification", {1, 0, 0}},
     {"layered-core", {1, -1, 0}},      {"rate-stiffening", {0, 0, -1}}, {"velocity-exponent", {0, 0, 0}},
     {"relaxation", {1, -1, -1}},       {"hysteresis", {0, 0, -1}},      {"permanent-set", {0, -1, -1}},
+    {"adhesion", {0, 1, -1}},
     {"plate-compliance", {0, 0, 0}},   {"plate-friction", {0, 0, 0}},   {"gravity", {0, 0, 0}}};
 
 void expect_sign(int sign, double change, const std::string& name) {

@@ -89,7 +89,7 @@ TEST(RigidPlateTest, GapIsThatOfTheLowestNode) {
 TEST(FrictionTest, NodeSticksWithinTheConeAndSlidesOutsideIt) {
   const double impulse = 1.0 * 4.0;  // node 0 of 1 kg, stopped from 4 m/s
   for (const double speed : {-3.0, -0.5, 0.5, 3.0}) {
-    RigidPlate plate(four_nodes(), 0.3);
+    RigidPlate plate(four_nodes(), {.friction = 0.3});
     const std::vector<double> u(8, 0.0);
     std::vector<double> v = {speed, -4, 7, 1, 0, 0, 0, 0};
     plate.remember(v);
@@ -104,7 +104,7 @@ TEST(FrictionTest, NodeSticksWithinTheConeAndSlidesOutsideIt) {
 }
 
 TEST(FrictionTest, NoneChangesNoBit) {
-  RigidPlate plate(four_nodes(), 0.0);
+  RigidPlate plate(four_nodes(), {.friction = 0.0});
   const std::vector<double> u(8, 0.0);
   std::vector<double> v = {0.3, -4, 0.1, -5, 0, 0, 0, 0};
   plate.remember(v);

@@ -1,0 +1,55 @@
+#include "fem/contact/adhesive_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lumped/problem/error.hpp"
+
+namespace rebound::fem {
+namespace {
+
+constexpr double shortest_range = 0.01;  ///< over R, where the range is chosen
+constexpr double longest_range = 0.1;
+constexpr double range_allowed = 0.25;
+constexpr double traction_allowed = 0.1;  ///< over E
+
+double youngs_modulus(const Moduli& moduli) {
+  return 9.0 * moduli.bulk * moduli.shear / (3.0 * moduli.bulk + moduli.shear);
+}
+
+[[noreturn]] void refuse(const char* key, double value, const std::string& allowed) {
+  throw Error(ExitCode::bad_input,
+              std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " + allowed,
+              {.key = key, .value = std::to_string(value), .allowed = allowed});
+}
+
+}  // namespace
+
+double adhesive_range(const FemProblem& problem, const Moduli& instantaneous) {
+  if (problem.adhesion.range > 0.0) return problem.adhesion.range;
+  const double radius = problem.sphere.radius(), work = problem.adhesion.work;
+  const double youngs = youngs_modulus(instantaneous);
+  const double poisson = youngs / (2.0 * instantaneous.shear) - 1.0;
+  const double plane_strain = youngs / (1.0 - poisson * poisson);
+  const double gentle = 10.0 * std::cbrt(radius * work * work / (plane_strain * plane_strain));
+  return std::clamp(gentle, shortest_range * radius, longest_range * radius);
+}
+
+void check_adhesion(const FemProblem& problem, const Moduli& instantaneous) {
+  const AdhesiveTraction& adhesion = problem.adhesion;
+  const double radius = problem.sphere.radius();
+  if (!(adhesion.work >= 0.0 && std::isfinite(adhesion.work)))
+    refuse("model.adhesion.work", adhesion.work, ">= 0 J/m^2");
+  if (!(adhesion.range >= 0.0 && adhesion.range <= range_allowed * radius))
+    refuse("model.adhesion.range", adhesion.range, "0 m, or up to a quarter of the radius");
+  if (!adhesion.acts()) return;
+  const double range = adhesive_range(problem, instantaneous);
+  const double most = 0.5 * traction_allowed * youngs_modulus(instantaneous) * range;
+  if (adhesion.work > most)
+    refuse("model.adhesion.work", adhesion.work,
+           "up to " + std::to_string(most) +
+               " J/m^2, where the traction at the plate is a tenth of Young's modulus");
+}
+
+}  // namespace rebound::fem
