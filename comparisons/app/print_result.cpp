@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "comparisons/app/interruption.hpp"
@@ -9,16 +10,50 @@
 
 namespace rebound {
 
+namespace {
+
+std::string text_of(const Json& value) {
+  return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
+         : value.is_string()     ? value.get<std::string>()
+                                 : value.dump();
+}
+
+/// Value and half width, the latter also as a share of the value.
+std::string with_error(double value, double uncertainty) {
+  const std::string share =
+      value == 0.0 ? "" : fmt::format("  ({:.2g} %)", 100.0 * std::abs(uncertainty / value));
+  return fmt::format("{:<12.6g} +- {:.2g}{}", value, uncertainty, share);
+}
+
+/// Whether error bars make the result a reference, in a sentence.
+std::string reference_sentence(const Json& result) {
+  const Json& reference = result["reference"];
+  const double limit = 100.0 * reference["limit"].get<double>();
+  if (reference["beyond"].empty())
+    return fmt::format("yes: force, deflection, contact time and restitution known to {:g} %", limit);
+  std::string beyond;
+  for (const Json& key : reference["beyond"])
+    beyond += (beyond.empty() ? "" : ", ") + key.get<std::string>();
+  return fmt::format("no: {} not known to {:g} %; more cells narrow it", beyond, limit);
+}
+
+}  // namespace
+
 void print_result(const Session& session, const Json& result) {
   if (session.json()) {
     fmt::print("{}", dump(result));
     return;
   }
+  // Of a result with error bars the shares of the bars and the runs behind them are in
+  // the JSON alone.
+  const Json uncertainty = result.value("uncertainty", Json::object());
   for (const auto& [key, value] : result.items()) {
-    if (key == "schema") continue;
-    const std::string text = value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
-                             : value.is_string()     ? value.get<std::string>()
-                                                     : value.dump();
+    if (key == "schema" || key == "uncertainty" || key == "uncertainty_basis") continue;
+    std::string text = text_of(value);
+    if (key == "reference") text = reference_sentence(result);
+    if (key == "family") text = fmt::format("{} runs", value.size());
+    if (uncertainty.contains(key))
+      text = with_error(value.get<double>(), uncertainty[key].get<double>());
     fmt::print("{:<28}{}\n", key, text);
   }
 }

@@ -6,7 +6,8 @@
 
 namespace rebound {
 
-/// Prints a result as JSON or as one `key value` line per entry.
+/// Prints a result as JSON or as one `key value` line per entry, error bars beside
+/// the values they belong to.
 void print_result(const Session& session, const Json& result);
 
 /// Ends the command where a run is incomplete, and says where what is known lies.

@@ -139,6 +139,20 @@ const std::vector<ScalarOfResult>& scalars_with_error() {
   return scalars;
 }
 
+std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference) {
+  std::vector<std::string> beyond;
+  const auto& scalars = scalars_with_error();
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    const std::string_view key = scalars[i].key;
+    if (key != "peak_force_N" && key != "peak_deflection_m" && key != "contact_time_s" &&
+        key != "restitution")
+      continue;
+    const double value = std::abs(scalars[i].value(reference.result));
+    if (!(reference.errors[i].uncertainty <= reference_limit * value)) beyond.emplace_back(key);
+  }
+  return beyond;
+}
+
 ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, const Mesh& coarse,
                               const RunControl& control) {
   constexpr double nearby = 0.05;  // of the speed, from one to the next

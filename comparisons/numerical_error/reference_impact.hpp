@@ -44,6 +44,13 @@ struct ReferenceImpact {
   std::vector<FamilyMember> family;
 };
 
+/// A trace is called a reference when peak force, peak deflection, contact time and
+/// restitution are each known to this share of their value.
+inline constexpr double reference_limit = 0.005;
+
+/// Those of the four that are not. Empty: a reference.
+std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference);
+
 /// Runs one impact on a mesh and its two refinements by cutting cells into
 /// four; on the middle one also with half the step, and at four speeds nearby.
 ///

@@ -59,6 +59,17 @@ struct StaticContact {
 inline constexpr StaticContact static_contacts[] = {
     {1, 0.1, 0.0569, 0.005}, {2, 0.1, 0.0296, 0.005}, {1, 0.2, 0.119, 0.011}, {2, 0.2, 0.064, 0.011}};
 
+/// Rung c with linear kinematics: small-strain bilinear B-bar cells, exact gap of the
+/// sphere, ν = 0.4, computed apart; C scatters by 0.005 with the mesh.
+struct LinearContactTarget {
+  int platens;
+  double a_over_r, hertz_over_r, approach_over_hertz, c;
+};
+inline constexpr LinearContactTarget linear_contacts[] = {{1, 0.097, 0.0091, 0.9425, 0.3802},
+                                                          {2, 0.097, 0.0091, 0.9683, 0.2098},
+                                                          {1, 0.196, 0.0375, 0.8851, 0.3739},
+                                                          {2, 0.196, 0.0375, 0.9367, 0.2062}};
+
 /// Rung d′: bar without lateral contraction, σ = ρ c v, t = 2 L/c, e = 1.
 inline constexpr double bar_radius = 0.01, bar_length = 0.05, bar_speed = 0.1;  // [m], [m], [m/s]
 inline constexpr double bar_density = 589.8416, bar_modulus = 10e6;             // [kg/m³], [Pa]

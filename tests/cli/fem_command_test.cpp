@@ -113,6 +113,11 @@ TEST_F(FemCommandTest, AReferenceGivesEveryScalarAndTheTraceABar) {
     EXPECT_TRUE(json["uncertainty_basis"][key]["method"].is_string()) << key;
   }
   EXPECT_GT(json["cells"], 300);  // the finest of the family
+  // So few cells make no reference, and the words say so.
+  EXPECT_FALSE(json["reference"]["beyond"].empty());
+  const Outcome words = rebound({"fem", "a.toml", "--reference"});
+  EXPECT_NE(words.output.find(" +- "), std::string::npos) << words.output;
+  EXPECT_NE(words.output.find("reference                   no: "), std::string::npos) << words.output;
   const auto stored = nlohmann::json::parse(read_whole(folder.path() / "results/result.json"));
   EXPECT_EQ(stored["uncertainty"], json["uncertainty"]);
   const std::string trace = read_whole(folder.path() / "results/trace.csv");

@@ -44,6 +44,20 @@ const ReferenceImpact& at_15() {
   return reference;
 }
 
+TEST(ReferenceImpactTest, IsAReferenceWhereAllFourScalarsAreKnown) {
+  ReferenceImpact reference = at_15();
+  for (std::size_t i = 0; i < reference.errors.size(); ++i)
+    reference.errors[i].uncertainty =
+        0.004 * scalars_with_error()[i].value(reference.result);
+  EXPECT_TRUE(beyond_reference_limit(reference).empty());
+  for (ScalarError& error : reference.errors)
+    if (error.key == std::string("peak_deflection_m") || error.key == std::string("mean_deflection_m"))
+      error.uncertainty *= 1.3;
+  EXPECT_EQ(beyond_reference_limit(reference), std::vector<std::string>{"peak_deflection_m"});
+  reference.errors.front().uncertainty = std::nan("");
+  EXPECT_EQ(beyond_reference_limit(reference).size(), 2u);
+}
+
 TEST(ReferenceImpactTest, CoversTheValuesOfAMuchFinerMesh) {
   // Means of two meshes of 65 000 cells, one of mapped blocks and one of Gmsh's frontal
   // quadrilaterals, made by this very solver; half of what they differ by is their own uncertainty.
