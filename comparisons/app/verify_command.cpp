@@ -38,6 +38,7 @@ std::vector<LadderPart> fem_parts(const FemTier& tier, const ElementChecks& chec
   return {
       {"Manufactured solution (a)", 0.3, [&](Control) { return verify_fields(checks); }},
       {"Free vibration (b)", 0.9, [&](Control) { return verify_free_vibration(checks); }},
+      {"Linear contact (c)", 0.4, [&](Control) { return verify_linear_contact(checks); }},
       {"Static contact (c)", 1.0, [&](Control c) { return verify_static_contact(tier, c); }},
       {"Elastic impact of the sphere (d)", 3.0, [&](Control c) { return verify_sphere_impacts(tier, c); }},
       {"Bar (d')", 0.5, [&](Control c) { return verify_bar(tier, c); }},

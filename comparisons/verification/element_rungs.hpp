@@ -14,6 +14,10 @@ VerificationPart verify_fields(const ElementChecks& checks);
 /// order in which they are approached: 2 (bilinear) and 4 (nine-node). Seconds.
 VerificationPart verify_free_vibration(const ElementChecks& checks);
 
+/// Rung c with linear kinematics, nine-node cells: what linear theory makes of the finite
+/// sphere. (Of rung c itself, at finite strain, see fem_rungs.hpp.) Half a second.
+VerificationPart verify_linear_contact(const ElementChecks& checks);
+
 /// Rung g, both kinds of cells: finite-strain viscoelasticity under ramps,
 /// steps and cycles, second order in the step. Under a second.
 VerificationPart verify_viscoelastic_cells(const ElementChecks& checks);

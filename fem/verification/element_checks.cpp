@@ -1,6 +1,7 @@
 #include "fem/verification/element_checks.hpp"
 
 #include "fem/verification/free_vibration.hpp"
+#include "fem/verification/linear_contact.hpp"
 #include "fem/verification/manufactured_solution.hpp"
 #include "fem/verification/uniform_stretch.hpp"
 
@@ -19,6 +20,9 @@ class Checks final : public ElementChecks {
   FreeVibration free_vibration(const Mesh& mesh, CellKind cells, VibratingMass mass,
                                const VibratingSphere& sphere) const override {
     return fem::free_vibration(mesh, cells, mass, sphere);
+  }
+  double linear_contact_force(const Mesh& mesh, const LinearContact& contact) const override {
+    return fem::linear_contact_force(mesh, contact);
   }
 };
 

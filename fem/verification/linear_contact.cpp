@@ -4,21 +4,13 @@
 
 #include "fem/implicit/equilibrium.hpp"
 #include "lumped/problem/error.hpp"
-#include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound::fem {
 
-double linear_contact_force(const LinearContact& problem) {
-  const bool half = problem.platens == 2;
-  const QuadraticBody body = quadratic_body(
-      generate_sphere_mesh({.radius = problem.radius,
-                            .cells = problem.cells,
-                            .grading = problem.grading,
-                            .part = half ? SpherePart::lower_half : SpherePart::whole}),
-      {.radius = problem.radius, .mass = 1.0});
-  const Material material{.youngs_modulus = problem.youngs_modulus,
-                          .poisson_ratio = problem.poisson_ratio};
-  const BodyForces forces(body, material, ContactInertia::kept);
+double linear_contact_force(const Mesh& mesh, const LinearContact& contact) {
+  const bool half = contact.platens == 2;
+  const QuadraticBody body = quadratic_body(mesh, {.radius = contact.radius, .mass = 1.0});
+  const BodyForces forces(body, contact.material, ContactInertia::kept);
   SystemMatrix stiffness = forces.empty_matrix();
   Eigen::VectorXd at_rest;
   forces.linearise(Eigen::VectorXd::Zero(forces.size()), {}, at_rest, stiffness);
@@ -29,19 +21,19 @@ double linear_contact_force(const LinearContact& problem) {
     matrix = stiffness;
     return BodyForces::Outcome::done;
   };
-  task.force_scale = 0.1 * problem.youngs_modulus * std::sqrt(problem.radius * problem.approach) *
-                     problem.approach;
+  task.force_scale = 0.1 * contact.material.youngs_modulus *
+                     std::sqrt(contact.radius * contact.approach) * contact.approach;
   task.rounding = forces.rounding();
   task.needs_contact = true;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(forces.size());
   for (int node = 0; node < body.node_count(); ++node) {
-    u[2 * node + 1] = -problem.approach;
-    if (half && body.position[node][1] > (1.0 - 1e-6) * problem.radius)
-      task.prescribed.emplace_back(2 * node + 1, -problem.approach);
+    u[2 * node + 1] = -contact.approach;
+    if (half && body.position[node][1] > (1.0 - 1e-6) * contact.radius)
+      task.prescribed.emplace_back(2 * node + 1, -contact.approach);
   }
   if (!half) {
     task.load = forces.axial_mass() / body.mass;
-    task.travel = -problem.approach;
+    task.travel = -contact.approach;
   }
   EquilibriumSearch search(body, forces.empty_matrix());
   HeldNodes held(body);

@@ -55,6 +55,14 @@ struct VibratingSphere {
   Material material;
 };
 
+/// A sphere pressed in linear elasticity.
+struct LinearContact {
+  double radius = 0.0;    ///< [m]
+  Material material;      ///< its moduli at rest
+  int platens = 1;        ///< 1: on one plate, held by a uniform body force; 2: between two
+  double approach = 0.0;  ///< of the plate and the centre of mass (1) or the middle plane (2) [m]
+};
+
 /// The FE tier's cells without an impact, for known answers; in module "rebound_fem".
 class ElementChecks {
  public:
@@ -73,6 +81,10 @@ class ElementChecks {
   /// Lowest frequencies of the elastic sphere. Errors: Error(solver_failed).
   virtual FreeVibration free_vibration(const Mesh& mesh, CellKind cells, VibratingMass mass,
                                        const VibratingSphere& sphere) const = 0;
+
+  /// Force of the plate on a sphere whose cells stay linear [N]; nine-node cells; `mesh` is
+  /// its lower half between two platens. Errors: Error(solver_failed).
+  virtual double linear_contact_force(const Mesh& mesh, const LinearContact& contact) const = 0;
 };
 
 /// Entry point beside fem_entry_point, with the same stamp.

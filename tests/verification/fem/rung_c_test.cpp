@@ -11,12 +11,14 @@
 #include <cmath>
 
 #include "comparisons/calibration/platen_modulus.hpp"
+#include "comparisons/verification/element_rungs.hpp"
 #include "comparisons/verification/targets.hpp"
 #include "fem/implicit/static_compression.hpp"
-#include "fem/verification/linear_contact.hpp"
+#include "fem/verification/element_checks.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
+#include "tests/support/verification_rows.hpp"
 
 namespace rebound {
 namespace {
@@ -66,19 +68,9 @@ TEST(RungC, FiniteSphereCorrection) {
   }
 }
 
-// Small strain kept small: the same cells and the same contact with the tangent at rest
-// against a bilinear B-bar computation made apart, whose meshes scatter by 0.005 in C of
-// x = x_Hertz − C F/(E R).
+// The same cells and the same contact with the tangent at rest; rows of `rebound verify`.
 TEST(RungC, LinearKinematicsAgreeWithASmallStrainComputation) {
-  for (const auto& target : targets::linear_contacts) {
-    const double approach = target.approach_over_hertz * target.hertz_over_r * radius;
-    const double force = fem::linear_contact_force(
-        {.radius = radius, .youngs_modulus = modulus, .poisson_ratio = nu, .platens = target.platens,
-         .approach = approach, .cells = 800, .grading = grading_for(target.a_over_r)});
-    const double hertz = std::pow(0.75 * force / (hertz_modulus * std::sqrt(radius)), 2.0 / 3.0);
-    const double c = (hertz - approach) * modulus * radius / force;
-    EXPECT_NEAR(c, target.c, 0.007) << target.platens << " " << target.a_over_r;
-  }
+  test::expect_rows(verify_linear_contact(fem::element_checks()).rows, 4);
 }
 
 // The correction is of first order in a/R, and so are the strains: laws with the same
