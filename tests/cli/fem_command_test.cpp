@@ -197,6 +197,26 @@ TEST_F(FemCommandTest, TheImplicitSchemeReportsTheSameScalarsAndFaults) {
   EXPECT_FALSE(there("results/result.json"));
 }
 
+TEST_F(FemCommandTest, TheImplicitSchemeStopsWithWhatIsKnown) {
+  const std::string implicit = replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
+  // A ball so soft that it hits at nearly its shear wave speed.
+  std::string soft = replaced(implicit, "youngs_modulus = \"10 MPa\"", "youngs_modulus = \"1.1 MPa\"");
+  soft = replaced(soft.substr(0, soft.find("[[model.material.branch]]")), "cells = 60", "cells = 100");
+  folder.write("soft.toml", replaced(soft, "speed = \"15 m/s\"", "speed = \"25 m/s\""));
+  folder.write("long.toml", replaced(implicit, "cells = 60", "cells = 1000"));
+  const Outcome turned = rebound({"fem", "soft.toml", "--out", "turned"});
+  EXPECT_EQ(turned.exit_code, 3) << turned.errors;
+  EXPECT_NE(turned.errors.find("inside out"), std::string::npos) << turned.errors;
+  const Outcome stopped =
+      rebound({"fem", "long.toml", "--out", "stopped"}, {.interrupt_after_ms = 1500});
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.errors;
+  for (const std::string name : {"turned", "stopped"}) {
+    EXPECT_TRUE(there(name + "/incomplete.json"));
+    EXPECT_TRUE(there(name + "/trace-incomplete.csv"));
+    EXPECT_FALSE(there(name + "/result.json"));
+  }
+}
+
 TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
   // Many cells: the run takes seconds, the mesh is made before.
   ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code, 0);
