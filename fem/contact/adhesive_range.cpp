@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "lumped/problem/error.hpp"
+#include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -16,12 +16,6 @@ constexpr double traction_allowed = 0.1;  ///< over E
 
 double youngs_modulus(const Moduli& moduli) {
   return 9.0 * moduli.bulk * moduli.shear / (3.0 * moduli.bulk + moduli.shear);
-}
-
-[[noreturn]] void refuse(const char* key, double value, const std::string& allowed) {
-  throw Error(ExitCode::bad_input,
-              std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " + allowed,
-              {.key = key, .value = std::to_string(value), .allowed = allowed});
 }
 
 }  // namespace
@@ -40,16 +34,17 @@ void check_adhesion(const FemProblem& problem, const Moduli& instantaneous) {
   const AdhesiveTraction& adhesion = problem.adhesion;
   const double radius = problem.sphere.radius();
   if (!(adhesion.work >= 0.0 && std::isfinite(adhesion.work)))
-    refuse("model.adhesion.work", adhesion.work, ">= 0 J/m^2");
+    refuse_out_of_range("model.adhesion.work", adhesion.work, ">= 0 J/m^2");
   if (!(adhesion.range >= 0.0 && adhesion.range <= range_allowed * radius))
-    refuse("model.adhesion.range", adhesion.range, "0 m, or up to a quarter of the radius");
+    refuse_out_of_range("model.adhesion.range", adhesion.range,
+                        "0 m, or up to a quarter of the radius");
   if (!adhesion.acts()) return;
   const double range = adhesive_range(problem, instantaneous);
   const double most = 0.5 * traction_allowed * youngs_modulus(instantaneous) * range;
   if (adhesion.work > most)
-    refuse("model.adhesion.work", adhesion.work,
-           "up to " + std::to_string(most) +
-               " J/m^2, where the traction at the plate is a tenth of Young's modulus");
+    refuse_out_of_range("model.adhesion.work", adhesion.work,
+                        "up to " + std::to_string(static_cast<long>(most)) +
+                            " J/m^2, where the traction at the plate is a tenth of Young's modulus");
 }
 
 }  // namespace rebound::fem

@@ -9,6 +9,7 @@
 
 #include "fem/implicit/equilibrium.hpp"
 #include "lumped/problem/error.hpp"
+#include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -185,11 +186,7 @@ CompressionResult StaticCompression::run(const RunControl& control) {
 
 void check_compression(const CompressionProblem& problem) {
   const Compression& plan = problem.compression;
-  const auto refuse = [](const char* key, double value, const char* allowed) {
-    throw Error(ExitCode::bad_input,
-                std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " + allowed,
-                {.key = key, .value = std::to_string(value), .allowed = allowed});
-  };
+  const auto refuse = refuse_out_of_range;
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
   if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
   if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");

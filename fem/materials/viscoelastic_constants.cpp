@@ -4,18 +4,13 @@
 #include <string>
 
 #include "lumped/problem/error.hpp"
+#include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
 namespace {
 
 void require(bool fine, const char* key, double value, const char* allowed) {
-  if (fine) return;
-  throw Error(ExitCode::bad_input,
-              std::string("material: ") + key + " = " + std::to_string(value) +
-                  " is out of range; allowed: " + allowed,
-              {.key = std::string("model.material.") + key,
-               .value = std::to_string(value),
-               .allowed = allowed});
+  if (!fine) refuse_out_of_range(std::string("model.material.") + key, value, allowed);
 }
 
 bool positive(double value) { return value > 0 && std::isfinite(value); }

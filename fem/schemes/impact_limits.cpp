@@ -1,34 +1,29 @@
 #include "fem/schemes/impact_limits.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "fem/contact/adhesive_range.hpp"
 #include "fem/materials/viscoelastic_constants.hpp"
 #include "lumped/problem/error.hpp"
+#include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
 namespace {
 
 constexpr double most_samples = 1e5;  ///< of a trace over one Hertz contact time
 
-[[noreturn]] void refuse(const char* key, double value, const char* allowed) {
-  throw Error(ExitCode::bad_input,
-              std::string(key) + " = " + std::to_string(value) + " is out of range; allowed: " +
-                  allowed,
-              {.key = key, .value = std::to_string(value), .allowed = allowed});
-}
-
 bool positive(double value) { return value > 0 && std::isfinite(value); }
 bool zero_or_positive(double value) { return value == 0 || positive(value); }
 
 void check_plate(const Plate& plate) {
-  if (!zero_or_positive(plate.friction)) refuse("model.plate.friction", plate.friction, ">= 0");
-  if (!(plate.stiffness > 0)) refuse("model.plate.stiffness", plate.stiffness, "> 0 N/m");
+  if (!zero_or_positive(plate.friction))
+    refuse_out_of_range("model.plate.friction", plate.friction, ">= 0");
+  if (!(plate.stiffness > 0))
+    refuse_out_of_range("model.plate.stiffness", plate.stiffness, "> 0 N/m");
   if (!plate.moves()) return;
-  if (!positive(plate.mass)) refuse("model.plate.mass", plate.mass, "> 0 kg");
+  if (!positive(plate.mass)) refuse_out_of_range("model.plate.mass", plate.mass, "> 0 kg");
   if (!zero_or_positive(plate.damping_ratio))
-    refuse("model.plate.damping_ratio", plate.damping_ratio, ">= 0");
+    refuse_out_of_range("model.plate.damping_ratio", plate.damping_ratio, ">= 0");
 }
 
 }  // namespace
@@ -47,19 +42,25 @@ void check_problem(const FemProblem& problem) {
   const double safety = problem.controls.step_safety;
   const double interval = problem.controls.output_interval;
   const double end_time = problem.controls.end_time;
-  if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
-  if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
-  if (!positive(problem.impact.speed)) refuse("impact.speed", problem.impact.speed, "> 0 m/s");
-  if (!(safety > 0 && safety <= 1)) refuse("controls.step_safety", safety, "(0, 1]");
-  if (!zero_or_positive(end_time)) refuse("controls.end_time", end_time, ">= 0 s");
-  if (!zero_or_positive(interval)) refuse("controls.output_interval", interval, ">= 0 s");
-  if (!zero_or_positive(problem.gravity)) refuse("impact.gravity", problem.gravity, ">= 0 m/s^2");
+  if (!positive(problem.sphere.mass))
+    refuse_out_of_range("sphere.mass", problem.sphere.mass, "> 0 kg");
+  if (!positive(problem.sphere.diameter))
+    refuse_out_of_range("sphere.diameter", problem.sphere.diameter, "> 0 m");
+  if (!positive(problem.impact.speed))
+    refuse_out_of_range("impact.speed", problem.impact.speed, "> 0 m/s");
+  if (!(safety > 0 && safety <= 1)) refuse_out_of_range("controls.step_safety", safety, "(0, 1]");
+  if (!zero_or_positive(end_time)) refuse_out_of_range("controls.end_time", end_time, ">= 0 s");
+  if (!zero_or_positive(interval))
+    refuse_out_of_range("controls.output_interval", interval, ">= 0 s");
+  if (!zero_or_positive(problem.gravity))
+    refuse_out_of_range("impact.gravity", problem.gravity, ">= 0 m/s^2");
   check_plate(problem.plate);
   const Moduli instantaneous = viscoelastic_constants(problem.material).instantaneous;
   check_adhesion(problem, instantaneous);
   const double contact = expected_contact_time(problem, instantaneous);
   if (interval > 0 && interval < contact / most_samples)
-    refuse("controls.output_interval", interval, "0, or a 100000th of the contact time and more");
+    refuse_out_of_range("controls.output_interval", interval,
+                        "0, or a 100000th of the contact time and more");
   if (problem.impact.separation != SeparationRule::zero_force)
     throw Error(ExitCode::bad_input,
                 "the FE tier separates by zero force alone: a deformable body need not be round "
