@@ -90,7 +90,9 @@ Outcome simulate(FemProblem problem, Errors errors) {
   ProgressLine progress("FE impact");
   constexpr int finest = 16, family = 1 + 4 + finest;
   const Mesh mesh = mesh_for(problem, errors == Errors::reference ? family : 1);
-  const int cells = static_cast<int>(mesh.cells.size()) * (errors == Errors::reference ? finest : 1);
+  const bool quarters = problem.scheme == FemScheme::implicit_steps;  // as a nine-node cell is drawn
+  const int cells = static_cast<int>(mesh.cells.size()) *
+                    (errors == Errors::reference ? finest : 1) * (quarters ? 4 : 1);
   problem.controls.shape_frames = animated_frames(problem.controls.field_frames, cells);
   if (errors == Errors::reference) {
     ReferenceImpact reference = run_reference(fem_tier(), problem, mesh, progress.control());

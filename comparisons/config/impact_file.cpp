@@ -130,7 +130,6 @@ void check_implicit(const Document& document, const FemProblem& problem) {
   };
   if (problem.plate.moves()) refuse("model.plate.stiffness", "plate that moves");
   if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
-  if (problem.controls.field_frames != 0) refuse("controls.field_frames", "field output");
 }
 
 void check_fem(const Document& document, const FemProblem& problem) {

@@ -85,6 +85,7 @@ Figure energies(const FemResult& result) {
       {"dissipated in the ball or held in branches", &EnergyBook::branches},
       {"lost where nodes are caught", &EnergyBook::contact_constraint},
       {"friction", &EnergyBook::friction},
+      {"adhesion", &EnergyBook::adhesion},
       {"plate, kinetic", &EnergyBook::plate_kinetic},
       {"plate, spring", &EnergyBook::plate_spring},
       {"plate, damper", &EnergyBook::plate_damper},

@@ -15,11 +15,17 @@ namespace rebound {
 double memory_of_impact(const FemProblem& problem, int cells) {
   constexpr double fixed = 2.5e6, explicit_cell = 1700.0, branch = 220.0, largest_strain = 40.0;
   constexpr double implicit_cell = 27e3;
-  if (problem.scheme == FemScheme::implicit_steps) return fixed + implicit_cell * cells;
+  // What is seen of every point and one frame as text; the report's page and its frames.
+  constexpr double watched_cell = 1100.0, watched_implicit_cell = 3000.0, page = 30e6;
+  const bool watched = problem.controls.field_frames > 0;
+  const double pages = watched ? page : 0.0;
+  if (problem.scheme == FemScheme::implicit_steps)
+    return fixed + pages + (implicit_cell + (watched ? watched_implicit_cell : 0.0)) * cells;
   const Material& material = problem.material;
   const double cell = explicit_cell + branch * static_cast<double>(material.branches.size()) +
-                      (material.strain.mullins > 0.0 ? largest_strain : 0.0);
-  return fixed + cell * cells;
+                      (material.strain.mullins > 0.0 ? largest_strain : 0.0) +
+                      (watched ? watched_cell : 0.0);
+  return fixed + pages + cell * cells;
 }
 
 double memory_needed(const FemProblem& problem, int cells) {

@@ -8,9 +8,11 @@ namespace rebound {
 ///
 ///   2.5 MB + cells × (1.7 kB + 0.22 kB a branch + 40 B for Mullins softening), explicit
 ///   2.5 MB + cells × 27 kB, implicit (its factorised matrix)
+///   and with field_frames 30 MB + cells × 1.1 kB, implicit 3 kB, more
 ///
 /// Rounded upwards from what rows "cost" of `rebound verify` measure, at 4000 to
-/// 64 000 cells, explicit, and 250 to 4000, implicit.
+/// 64 000 cells, explicit, and 250 to 4000, implicit; with frames by the peak of
+/// whole runs at 16 000 and 32 000 cells.
 double memory_of_impact(const FemProblem& problem, int cells);
 
 /// The same with the FE module, 0.17 GB [B].

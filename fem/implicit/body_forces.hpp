@@ -57,6 +57,20 @@ class BodyForces {
 
   double stored_energy(const Eigen::VectorXd& u) const;
 
+  /// Calls use(F, S, stored energy per volume) at every point, cell after cell, as they
+  /// are at the end of the step and before accept().
+  template <class Use>
+  void each_point(const Eigen::VectorXd& u, const Use& use) const {
+    const BranchState* states = states_.data();
+    for (const auto& cell : body_.cells)
+      for (const auto& point : cell.points) {
+        Gradient<double> f;
+        const Symmetric<double> c = right_cauchy_green(cell, point, u, f);
+        use(f, law_.stress(c, states), law_.stored_energy(c));
+        states += law_.branch_count();
+      }
+  }
+
   const SystemMatrix& mass() const { return mass_; }  ///< lower triangle
   Eigen::VectorXd times_mass(const Eigen::VectorXd& v) const;
   /// M applied to the unit axial velocity: what each node's u_z weighs in the mean.

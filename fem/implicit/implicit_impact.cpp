@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "fem/contact/adhesive_range.hpp"
 #include "fem/implicit/adhesive_sides.hpp"
 #include "fem/implicit/equilibrium.hpp"
+#include "fem/implicit/implicit_fields.hpp"
 #include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
@@ -46,6 +48,7 @@ class ImplicitImpact {
   bool advance(double step, int cuts);
   EquilibriumTask task_of(double step) const;
   void accept(double step, MotionState next);
+  void show_to_fields(double step, const MotionState& next);
   void sample();
   void book(EnergyBook& book) const;
   bool contact_is_over() const;
@@ -65,6 +68,7 @@ class ImplicitImpact {
   double expected_time_, end_time_, interval_;
   int steps_per_sample_;
   ImpactRecorder recorder_;
+  std::unique_ptr<ImplicitFields> fields_;  ///< null: none asked for
   EnergyBook book_;
   std::string failure_;
   int pole_ = 0;
@@ -88,7 +92,8 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
       interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200),
-      recorder_(interval_, expected_time_) {
+      recorder_(interval_, expected_time_),
+      fields_(ImplicitFields::asked_for(problem, body_, forces_, expected_time_)) {
   const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
   steps_per_sample_ = std::max(1, static_cast<int>(std::ceil(interval_ / asked - 1e-9)));
   smallest_step_ = interval_ / steps_per_sample_;
@@ -167,9 +172,22 @@ bool ImplicitImpact::advance(double step, int cuts) {
   return advance(0.5 * step, cuts - 1) && advance(0.5 * step, cuts - 1);
 }
 
+/// The end of a step, before the branches move there; the plate's push less its pull.
+void ImplicitImpact::show_to_fields(double step, const MotionState& next) {
+  fields_->see(next.u);
+  Eigen::VectorXd push = next.reaction;
+  if (adhesion_) {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(push.size());
+    adhesion_->add_forces(next.u, pull);
+    push -= pull;
+  }
+  fields_->press(push, {.step = step, .time = next.time});
+}
+
 void ImplicitImpact::accept(double step, MotionState next) {
   forces_.forces(next.u, next.force);
   if (adhesion_) adhesion_->add_forces(next.u, next.force);
+  if (fields_) show_to_fields(step, next);
   forces_.accept(next.u);
   const Eigen::VectorXd change = next.u - now_.u;
   internal_work_ += 0.5 * change.dot(now_.force + next.force);
@@ -195,6 +213,7 @@ void ImplicitImpact::accept(double step, MotionState next) {
   smallest_step_ = std::min(smallest_step_, step);
   now_ = std::move(next);
   ++steps_;
+  if (fields_) fields_->show(now_.time, now_.u, now_.v);
 }
 
 void ImplicitImpact::book(EnergyBook& book) const {
@@ -241,6 +260,7 @@ FemResult ImplicitImpact::run(const RunControl& control) {
   std::string incomplete;
   const double step = interval_ / steps_per_sample_;
   sample();
+  if (fields_) fields_->show(now_.time, now_.u, now_.v);
   while (incomplete.empty()) {
     for (int i = 0; i < steps_per_sample_ && incomplete.empty(); ++i) {
       if (control.interrupted && control.interrupted())
@@ -267,6 +287,7 @@ FemResult ImplicitImpact::finish(std::string incomplete_because) {
   result.steps = steps_;
   result.smallest_step = smallest_step_;
   result.kernel = "implicit";
+  if (fields_) result.shapes = fields_->shapes();
   result.incomplete_because = std::move(incomplete_because);
   if (result.incomplete_because.empty()) conclude(result);
   return result;
@@ -294,7 +315,6 @@ void refuse(const char* key, const char* what) {
 void check_scheme(const FemProblem& problem) {
   if (problem.plate.moves()) refuse("model.plate.stiffness", "plate that moves");
   if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
-  if (problem.controls.field_frames != 0) refuse("controls.field_frames", "field output");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ namespace rebound::fem {
 /// Limit: elastic impact at low speed is Hertz with the finite-sphere
 ///        correction, time order 2 -> tests TwoSchemes, ImplicitImpactTest.
 /// Errors: Error(bad_input) as run_explicit_impact, and for a plate that moves or
-///        rubs and for field output, which this scheme does not have.
+///        rubs, which this scheme does not have.
 /// Source: Chung & Hulbert 1993.
 FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem, const RunControl& control);
 

@@ -1,14 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "fem/output/contact_pressure.hpp"
 #include "fem/output/field_observer.hpp"
-#include "fem/output/field_writer.hpp"
-#include "fem/output/frame_clock.hpp"
-#include "fem/output/shape_recorder.hpp"
+#include "fem/output/frame_keeper.hpp"
 #include "lumped/problem/fem_problem.hpp"
 
 namespace rebound::fem {
@@ -25,9 +22,8 @@ class ImpactFields {
     const ViscoelasticConstants& material;
   };
 
-  /// Null when `problem` asks for neither; frames without a folder are not asked for. `expected_contact` [s]: frames are spread
-  /// over 1.3 of it and go on at that rate; pressure is a mean over its last
-  /// hundredth to fiftieth.
+  /// Null when `problem` asks for neither. Pressure is a mean over the last hundredth
+  /// to fiftieth of `expected_contact` [s].
   static std::unique_ptr<ImpactFields> asked_for(const FemProblem& problem, const Watched& watched,
                                                  double expected_contact);
 
@@ -40,7 +36,7 @@ class ImpactFields {
   void before_plate(const std::vector<double>& velocity);
   void after_plate(const std::vector<double>& velocity, double time);
 
-  const ShapeHistory& shapes() const { return shapes_.history(); }
+  const ShapeHistory& shapes() const { return frames_.shapes(); }
 
  private:
   ImpactFields(const FemProblem& problem, const Watched& watched, double expected_contact);
@@ -48,9 +44,7 @@ class ImpactFields {
   const Discretisation& body_;
   FieldObserver observer_;
   ContactPressure pressure_;
-  FrameClock field_clock_, shape_clock_;
-  std::optional<FieldWriter> writer_;
-  ShapeRecorder shapes_;
+  FrameKeeper frames_;
   std::vector<double> velocity_before_;  ///< of the contact nodes, axial [m/s]
 };
 

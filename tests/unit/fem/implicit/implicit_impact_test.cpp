@@ -129,7 +129,6 @@ TEST(ImplicitImpactTest, RefusesWhatItDoesNotHave) {
   };
   EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.stiffness = 1e6; }), "model.plate.stiffness");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.friction = 0.3; }), "model.plate.friction");
-  EXPECT_EQ(key_refused([](FemProblem& p) { p.controls.field_frames = 3; }), "controls.field_frames");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.material.retardation_time = 1e-6; }), "model.scheme");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.material.layers = {{0.8, 2.0}}; }), "model.scheme");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.impact.speed = -1.0; }), "impact.speed");
