@@ -37,6 +37,7 @@ std::vector<LadderPart> lumped_parts() {
 std::vector<LadderPart> fem_parts(const FemTier& tier, const ElementChecks& checks) {
   return {
       {"Manufactured solution (a)", 0.3, [&](Control) { return verify_fields(checks); }},
+      {"Order in time (a)", 0.3, [&](Control c) { return verify_time_order(tier, c); }},
       {"Free vibration (b)", 0.9, [&](Control) { return verify_free_vibration(checks); }},
       {"Linear contact (c)", 0.4, [&](Control) { return verify_linear_contact(checks); }},
       {"Static contact (c)", 1.0, [&](Control c) { return verify_static_contact(tier, c); }},

@@ -8,6 +8,10 @@
 /// where a run does not complete; Error(interrupted).
 namespace rebound {
 
+/// Rung a in time: both schemes are of second order in the step. Not with contact
+/// that comes and goes: a flat end lands whole and stays.
+VerificationPart verify_time_order(const FemTier& tier, const RunControl& control);
+
 /// Rung c: static contact on one plate and between two, Hertz with the
 /// finite-sphere correction. By the nine-node cells.
 VerificationPart verify_static_contact(const FemTier& tier, const RunControl& control);

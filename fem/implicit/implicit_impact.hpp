@@ -27,7 +27,7 @@ namespace rebound::fem {
 /// Result: as run_explicit_impact. Energy lost to the integrator is not booked:
 ///        it is what `closures.energy` shows.
 /// Limit: elastic impact at low speed is Hertz with the finite-sphere
-///        correction, time order 2 -> tests TwoSchemes, ImplicitImpactTest.
+///        correction, time order 2 -> tests TwoSchemes, RungA.
 /// Errors: Error(bad_input) as run_explicit_impact, and for a plate that moves or
 ///        rubs, which this scheme does not have.
 /// Source: Chung & Hulbert 1993.

@@ -4,7 +4,9 @@
 // Orders in L2/H1: bilinear cells 2/1, nine-node cells 3/2.
 #include <gtest/gtest.h>
 
+#include "comparisons/modules/module_loader.hpp"
 #include "comparisons/verification/element_rungs.hpp"
+#include "comparisons/verification/fem_rungs.hpp"
 #include "fem/verification/element_checks.hpp"
 #include "fem/verification/manufactured_solution.hpp"
 #include "tests/support/verification_rows.hpp"
@@ -32,6 +34,10 @@ TEST(RungA, PatchAndManufacturedSolution) {
   const VerificationPart part = verify_fields(fem::element_checks());
   test::expect_rows(part.rows, 22);
   EXPECT_EQ(part.figures.size(), 2u);
+}
+
+TEST(RungA, BothSchemesAreOfSecondOrderInTime) {
+  test::expect_rows(verify_time_order(fem_tier(), {}).rows, 2);
 }
 
 }  // namespace
