@@ -50,6 +50,7 @@ std::vector<LadderPart> fem_parts(const FemTier& tier, const ElementChecks& chec
       {"Viscoelastic cells (g)", 0.6, [&](Control) { return verify_viscoelastic_cells(checks); }},
       {"Both schemes", 3.0, [&](Control c) { return verify_schemes(tier, c); }},
       {"Free plate", 0.5, [&](Control c) { return verify_free_plate(tier, c); }},
+      {"Every channel", 0.5, [&](Control c) { return verify_all_channels(tier, c); }},
       {"Error bars", 1.0, [&](Control c) { return verify_error_bars(tier, c); }},
       {"Closed cycles", 1.0, [&](Control) { return verify_dissipation(checks); }},
       {"Published contact", 1.0, [&](Control c) { return verify_published_contact(tier, c); }},

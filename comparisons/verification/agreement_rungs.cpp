@@ -73,6 +73,19 @@ VerificationPart verify_free_plate(const FemTier& tier, const RunControl& contro
   return part;
 }
 
+VerificationPart verify_all_channels(const FemTier& tier, const RunControl& control) {
+  FemProblem problem = ball_problem(FemScheme::explicit_steps, 5.0);
+  problem.gravity = 9.81;
+  problem.material.branches = {{0.4, 0.3e-3, Relaxes::all}};
+  problem.plate = {.stiffness = 2e6, .mass = 0.5, .damping_ratio = 0.1, .friction = 0.3};
+  const Mesh mesh = generate_sphere_mesh({.radius = targets::ball_radius, .cells = 1000});
+  const std::string name = "sphere at 5 m/s, branch, friction, gravity, plate on spring and damper";
+  const FemResult result = complete_impact(tier, problem, mesh, control, name);
+  VerificationPart part{.rows = invariants_of(result, name)};
+  part.rows.push_back(constraint_row(result, name));
+  return part;
+}
+
 VerificationPart verify_error_bars(const FemTier& tier, const RunControl& control) {
   const Mesh coarse = generate_sphere_mesh({.radius = targets::ball_radius, .cells = 500});
   const ReferenceImpact reference =

@@ -26,6 +26,10 @@ VerificationPart verify_bar(const FemTier& tier, const RunControl& control);
 /// Two-body impact with a free plate: momentum, relative speed.
 VerificationPart verify_free_plate(const FemTier& tier, const RunControl& control);
 
+/// The invariants with every channel at work: branch, friction, gravity, a plate
+/// on a spring and a damper.
+VerificationPart verify_all_channels(const FemTier& tier, const RunControl& control);
+
 /// Both schemes at 15 m/s, elastic and with one branch.
 VerificationPart verify_schemes(const FemTier& tier, const RunControl& control);
 
