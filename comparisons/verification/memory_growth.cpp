@@ -83,8 +83,7 @@ VerificationPart verify_memory(const FemTier& tier, const RunControl& control) {
   for (const MeasuredCase& one : cases()) {
     measure(tier, one.problem, one.first, control);  // what is loaded or kept at first use
     Refinement growth{.name = one.name, .size = {}, .error = {}, .expected_order = 1.1};
-    report::Series estimate{.name = fmt::format("estimate, {}", one.name),
-                            .role = report::Series::Role::reference, .x = {}, .y = {}};
+    report::Series estimate{.name = fmt::format("estimate, {}", one.name), .x = {}, .y = {}};
     double largest = 0.0;
     for (int cells = one.first; cells <= one.last; cells *= 2) {
       const Measured found = measure(tier, one.problem, cells, control);
@@ -113,7 +112,8 @@ VerificationPart verify_memory(const FemTier& tier, const RunControl& control) {
       {.title = "Memory of one impact",
        .caption = "Measured: growth of the process's resident memory by mesh, body, set-up and first steps. "
                   "Estimate: what is asked for before anything is made.",
-       .size = {"cells", "1"}, .error = {"memory", "MB"}}, drawn)};
+       .size = {"cells", "1"}, .error = {"memory", "MB"},
+       .origin = report::Origin::measured}, drawn)};
   for (report::Series& one : estimates) part.figures[0].series.push_back(std::move(one));
   return part;
 }

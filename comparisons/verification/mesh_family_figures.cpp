@@ -89,7 +89,8 @@ Figure cost(const std::vector<FamilyImpact>& family) {
       {.title = "Cost of one impact",
        .caption = "Processor time of set-up and steps, one thread, samples every microsecond, on this "
                   "machine. Asked for: no worse than cells to the power of 1.6.",
-       .size = {"cells", "1"}, .error = {"processor time", "s"}},
+       .size = {"cells", "1"}, .error = {"processor time", "s"},
+       .origin = report::Origin::measured},
       {cost_growth(family)});
   figure.series.push_back(guide(family, "cells^1.6", 1.6, family.back().processor_seconds));
   return figure;

@@ -62,9 +62,10 @@ report::Figure refinement_figure(const RefinementAxes& axes,
   for (const Refinement& refinement : refinements) {
     const PowerFit line = fit(refinement);
     figure.series.push_back({.name = fmt::format("{}: order {:.2f}", refinement.name, line.order),
+                             .origin = axes.origin,
                              .style = Series::Style::points,
                              .x = refinement.size, .y = refinement.error});
-    Series fitted{.name = "fit, " + refinement.name, .role = Series::Role::reference};
+    Series fitted{.name = "fit, " + refinement.name, .origin = report::Origin::fitted, .role = Series::Role::reference};
     for (const double size : {refinement.size[refinement.left_out], refinement.size.back()}) {
       fitted.x.push_back(size);
       fitted.y.push_back(std::exp(line.level + line.order * std::log(size)));

@@ -35,6 +35,7 @@ struct RefinementAxes {
   std::string caption;
   report::Axis size;
   report::Axis error;
+  report::Origin origin = report::Origin::predicted;  ///< of the points; the lines are fitted
 };
 
 /// Errors as points, the fitted order in their names, and the fitted line, both axes logarithmic.
