@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "comparisons/config/help_writer.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/toml_writer.hpp"
+#include "comparisons/impact_report/error_bars.hpp"
 #include "comparisons/impact_report/impact_report.hpp"
 #include "comparisons/modules/memory_needed.hpp"
 #include "comparisons/modules/module_loader.hpp"
@@ -84,6 +86,7 @@ enum class Errors { not_asked, reference };
 struct Outcome {
   FemResult result;
   Json json;  ///< null when incomplete
+  std::optional<report::Section> error_bars{};
 };
 
 Outcome simulate(FemProblem problem, Errors errors) {
@@ -97,7 +100,8 @@ Outcome simulate(FemProblem problem, Errors errors) {
   if (errors == Errors::reference) {
     ReferenceImpact reference = run_reference(fem_tier(), problem, mesh, progress.control());
     Json json = to_json(reference);
-    return {std::move(reference.result), std::move(json)};
+    report::Section bars = error_bars(reference);
+    return {std::move(reference.result), std::move(json), std::move(bars)};
   }
   FemResult result = fem_tier().simulate(problem, mesh, progress.control());
   Json json = result.incomplete_because.empty() ? to_json(result) : Json();
@@ -123,8 +127,12 @@ ExitCode run_fem(const Session& session, const std::string& file, Errors errors)
                   .provenance = provenance,
                   .further_keys = outcome.json},
                  outcome.result);
-    if (outcome.result.incomplete_because.empty())
-      report::write_report(impact_report(problem, outcome.result), session.out / report_name);
+    if (outcome.result.incomplete_because.empty()) {
+      report::Report page = impact_report(problem, outcome.result);
+      if (outcome.error_bars)
+        page.sections.insert(page.sections.begin() + 1, std::move(*outcome.error_bars));
+      report::write_report(page, session.out / report_name);
+    }
   }
   require_complete(session, file, outcome.result.incomplete_because);
   print_result(session, outcome.json);

@@ -86,6 +86,7 @@ Figure energies(const FemResult& result) {
       {"lost where nodes are caught", &EnergyBook::contact_constraint},
       {"friction", &EnergyBook::friction},
       {"adhesion", &EnergyBook::adhesion},
+      {"adhesion", &EnergyBook::adhesion},
       {"plate, kinetic", &EnergyBook::plate_kinetic},
       {"plate, spring", &EnergyBook::plate_spring},
       {"plate, damper", &EnergyBook::plate_damper},

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "comparisons/impact_report/error_bars.hpp"
 #include "comparisons/report/check.hpp"
 #include "comparisons/report/json.hpp"
 #include "lumped/problem/error.hpp"
@@ -66,6 +67,25 @@ TEST(ImpactReportTest, DrawsErrorBarsAsABandAndTheLoadCellBesideTheContact) {
   EXPECT_EQ(figure.series[0].y_high, (std::vector<double>{1.0, 2020.0, 1.0}));
   ASSERT_EQ(figure.series.size(), 2u);
   EXPECT_EQ(figure.series[1].y[1], 2100.0);
+}
+
+TEST(ImpactReportTest, SaysWhetherItIsAReference) {
+  ReferenceImpact reference{.result = some_result(), .family = {{.cells = 60}}};
+  for (const ScalarOfResult& scalar : scalars_with_error())
+    reference.errors.push_back({.key = scalar.key,
+                                .uncertainty = 0.002 * scalar.value(reference.result),
+                                .meshes = {.observed_order = 1.87}});
+  report::Report page = impact_report(some_problem(), reference.result);
+  page.sections.push_back(error_bars(reference));
+  EXPECT_NO_THROW(report::check_report(page));
+  const auto words = [&] { return all<report::Paragraph>({.sections = {error_bars(reference)}})[0].text; };
+  EXPECT_TRUE(words().starts_with("A reference")) << words();
+  const report::Table table = all<report::Table>({.sections = {error_bars(reference)}})[0];
+  ASSERT_EQ(table.rows.size(), scalars_with_error().size());
+  EXPECT_EQ(table.rows[0][3].text, "0.2");
+  EXPECT_EQ(table.rows[0][8].text, "1.87");
+  reference.errors[0].uncertainty = 0.006 * reference.result.scalars.restitution;
+  EXPECT_NE(words().find("Not a reference: restitution not known"), std::string::npos) << words();
 }
 
 TEST(ImpactReportTest, ShapesMove) {
