@@ -7,8 +7,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/print_result.hpp"
@@ -67,11 +69,24 @@ Mesh mesh_for(const FemProblem& problem, int copies) {
 
 constexpr const char* report_name = "report.html";
 
+/// Frames of an earlier run must not stand beside a result without any.
+void remove_earlier_frames(const std::filesystem::path& fields) {
+  std::error_code status;
+  std::filesystem::remove(fields / "impact.pvd", status);
+  std::vector<std::filesystem::path> frames;
+  for (const auto& entry : std::filesystem::directory_iterator(fields, status)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("frame-") && name.ends_with(".vtu")) frames.push_back(entry.path());
+  }
+  for (const auto& frame : frames) std::filesystem::remove(frame, status);
+}
+
 void prepare_output(const Session& session, const Document& document, FemProblem& problem) {
   if (!session.out.empty()) {
     make_writable_folder(session.out);
     std::error_code status;  // the page of an earlier run must not stand beside this one
     std::filesystem::remove(session.out / report_name, status);
+    remove_earlier_frames(session.out / "fields");
   }
   if (problem.controls.field_frames == 0) return;
   if (session.out.empty())

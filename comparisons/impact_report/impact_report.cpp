@@ -156,11 +156,7 @@ report::Section inside(const FemProblem& problem, const FemResult& result) {
   }
   section.blocks.push_back(report::half_section(
       result.shapes, fmt::format("Half-section at {:g} m/s", problem.impact.speed),
-      fmt::format("{} cells, drawn to scale, each with its mean: Cauchy stress, energies per volume at "
-                  "rest. The colours are the same in all frames and end where one value in a thousand "
-                  "is beyond. Contact pressure is a mean over the last hundredth to fiftieth of the "
-                  "contact.",
-                  result.cells)));
+      fmt::format("{} cells, drawn to scale.", result.cells)));
   return section;
 }
 

@@ -54,6 +54,11 @@ AnimationField field_of(const ShapeField& field) {
   return shown;
 }
 
+constexpr const char* meaning_of_fields =
+    " Each cell has the colour of its mean: Cauchy stress, energies per volume at rest. The colours "
+    "are the same in all frames and end where one value in a thousand is beyond. Contact pressure is "
+    "a mean over the last hundredth to fiftieth of the contact.";
+
 AnimationContact contact_of(const ShapeHistory& shapes) {
   AnimationContact contact{.vertices = shapes.contact_vertices, .unit = "MPa", .pressure = {}};
   for (const auto& row : shapes.contact_pressure) {
@@ -87,6 +92,7 @@ Animation half_section(const ShapeHistory& shapes, const std::string& title,
     animation.frames.push_back(std::move(frame));
   }
   for (const ShapeField& field : shapes.fields) animation.fields.push_back(field_of(field));
+  if (!shapes.fields.empty()) animation.caption += meaning_of_fields;
   if (!shapes.contact_vertices.empty()) animation.contact = contact_of(shapes);
   return animation;
 }

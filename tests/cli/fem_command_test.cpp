@@ -37,6 +37,10 @@ TEST_F(FemCommandTest, OneCommandGivesFieldsAndTheReportThatMoves) {
   ASSERT_EQ(rebound({"fem", "b.toml", "--out", "still"}).exit_code, 0);
   EXPECT_EQ(read_whole(folder.path() / "still/trace.csv"), trace);
   EXPECT_FALSE(there("still/fields"));
+  // Nor do they outlive a run that asks for none.
+  ASSERT_EQ(rebound({"fem", "b.toml", "--out", "results"}).exit_code, 0);
+  EXPECT_FALSE(there("results/fields/impact.pvd"));
+  EXPECT_FALSE(there("results/fields/frame-0008.vtu"));
   EXPECT_EQ(read_whole(folder.path() / "still/report.html").find("\"kind\":\"animation\""),
             std::string::npos);
 }

@@ -3,6 +3,7 @@
 // cells, generalised-α and an active set on the other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +85,41 @@ TEST(TwoSchemes, AgreeAtFifteenMetresPerSecond) {
     EXPECT_NEAR(second.scalars.peak_force / first.scalars.peak_force, 1.0, 1e-2);
     EXPECT_NEAR(second.scalars.contact_time_1pct / first.scalars.contact_time_1pct, 1.0, 1e-2);
     EXPECT_NEAR(second.scalars.mean_deflection / first.scalars.mean_deflection, 1.0, 1e-2);
+  }
+}
+
+/// The field over the cells in which it is largest, and the frame nearest to `time`.
+double largest_at(const ShapeHistory& shapes, ShapeQuantity quantity, double time) {
+  std::size_t frame = 0;
+  for (std::size_t i = 1; i < shapes.time.size(); ++i)
+    if (std::abs(shapes.time[i] - time) < std::abs(shapes.time[frame] - time)) frame = i;
+  for (const ShapeField& field : shapes.fields)
+    if (field.quantity == quantity)
+      return *std::max_element(field.values[frame].begin(), field.values[frame].end());
+  ADD_FAILURE() << "the field is not there";
+  return 0.0;
+}
+
+// Fields of the two schemes, found by ways that share the stress formulas alone. The
+// largest stress and densities lie inside and agree within 1.6 %; the largest pressure
+// lies at the plate, where a mean over a cell of twice the size is up to 8 % lower.
+TEST(TwoSchemes, FieldsAgree) {
+  FemProblem problem = test::common_case(15);
+  problem.material.branches = {{0.3, 0.3e-3, Relaxes::all}};
+  problem.controls.shape_frames = 60;
+  const auto mesh = [&](int cells) {
+    return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
+  };
+  const ShapeHistory first = test::checked_impact(mesh(1000), problem).shapes;
+  const ShapeHistory second = implicit_impact(mesh(250), problem).shapes;
+  for (const double time : {0.4e-3, 0.9e-3, 1.2e-3}) {
+    const auto ratio = [&](ShapeQuantity quantity) {
+      return largest_at(second, quantity, time) / largest_at(first, quantity, time);
+    };
+    for (const auto quantity : {ShapeQuantity::von_mises, ShapeQuantity::stored,
+                                ShapeQuantity::dissipated_or_held})
+      EXPECT_NEAR(ratio(quantity), 1.0, 0.02) << time;
+    EXPECT_NEAR(ratio(ShapeQuantity::pressure), 0.95, 0.05) << time;
   }
 }
 

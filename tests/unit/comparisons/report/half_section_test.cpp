@@ -40,6 +40,7 @@ ShapeHistory with_fields(int frames) {
 TEST(HalfSection, FieldsHaveUnitsAndOneRangeForAllFrames) {
   const Animation animation = half_section(with_fields(4), "title", "caption");
   ASSERT_EQ(animation.fields.size(), 2u);
+  EXPECT_TRUE(animation.caption.starts_with("caption Each cell"));
   EXPECT_EQ(animation.fields[0].name, "von Mises stress");
   EXPECT_EQ(animation.fields[0].unit, "MPa");
   EXPECT_EQ(animation.fields[0].low, 0.0);
