@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/describe_material.hpp"
 #include "comparisons/config/describe_impact.hpp"
 #include "comparisons/config/impact_file.hpp"
 #include "comparisons/config/reader.hpp"

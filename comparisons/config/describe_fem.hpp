@@ -6,9 +6,6 @@
 
 namespace rebound {
 
-void describe(Visitor& visit, PronyBranch& branch);
-void describe(Visitor& visit, RadialLayer& layer);
-void describe(Visitor& visit, Material& material);
 void describe(Visitor& visit, AdhesiveTraction& adhesion);
 void describe(Visitor& visit, FemControls& controls);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "comparisons/config/describe_fem.hpp"
+#include "comparisons/config/describe_material.hpp"
 #include "comparisons/config/describe_impact.hpp"
 #include "comparisons/config/reader.hpp"
 

@@ -86,7 +86,6 @@ Figure energies(const FemResult& result) {
       {"lost where nodes are caught", &EnergyBook::contact_constraint},
       {"friction", &EnergyBook::friction},
       {"adhesion", &EnergyBook::adhesion},
-      {"adhesion", &EnergyBook::adhesion},
       {"plate, kinetic", &EnergyBook::plate_kinetic},
       {"plate, spring", &EnergyBook::plate_spring},
       {"plate, damper", &EnergyBook::plate_damper},

@@ -42,6 +42,7 @@ AdhesiveSides::AdhesiveSides(const QuadraticBody& body, const AdhesiveTraction& 
           point.place[k++] = place_of(pattern, point.unknown[i], point.unknown[j]);
       points_.push_back(point);
     }
+  potential_at_rest_ = potential(Eigen::VectorXd::Zero(pattern.rows()));
 }
 
 double AdhesiveSides::gap(const Point& point, const Eigen::VectorXd& u) const {

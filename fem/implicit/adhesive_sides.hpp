@@ -26,6 +26,9 @@ class AdhesiveSides {
   void add_derivative(const Eigen::VectorXd& u, SystemMatrix& matrix) const;
   double pull(const Eigen::VectorXd& u) const;       ///< on the whole body, towards the plate [N]
   double potential(const Eigen::VectorXd& u) const;  ///< −Σ A_q w (1 − g_q/r)², ≤ 0 [J]
+  double energy(const Eigen::VectorXd& u) const {    ///< potential against that at first touch [J]
+    return potential(u) - potential_at_rest_;
+  }
 
  private:
   struct Point {
@@ -43,6 +46,7 @@ class AdhesiveSides {
 
   AdhesiveTraction traction_;
   std::vector<Point> points_;
+  double potential_at_rest_ = 0.0;
 };
 
 }  // namespace rebound::fem

@@ -1,7 +1,6 @@
 #include "fem/implicit/implicit_impact.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -10,19 +9,17 @@
 #include "fem/implicit/adhesive_sides.hpp"
 #include "fem/implicit/equilibrium.hpp"
 #include "fem/implicit/implicit_fields.hpp"
+#include "fem/implicit/separation_time.hpp"
+#include "fem/schemes/energy_balance.hpp"
 #include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
+#include "fem/schemes/surface_swing.hpp"
+#include "fem/schemes/timed_impact.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Coefficients of the generalised-α method.
 struct TimeWeights {
@@ -74,10 +71,11 @@ class ImplicitImpact {
   int pole_ = 0;
   long steps_ = 0;
   double smallest_step_;
-  double initial_kinetic_ = 0.0, internal_work_ = 0.0, constraint_work_ = 0.0;
-  double contact_force_ = 0.0, force_before_ = 0.0, last_contact_ = 0.0;  ///< without adhesion
-  double pull_ = 0.0, potential_at_rest_ = 0.0;
-  double contact_radius_ = 0.0, contact_radius_peak_ = 0.0, worst_energy_error_ = 0.0;
+  double internal_work_ = 0.0, constraint_work_ = 0.0;
+  SeparationTime separation_;  ///< of the plate's push, adhesion not in it
+  double pull_ = 0.0;          ///< of adhesion [N]
+  double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
+  EnergyBalance balance_;
 };
 
 ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
@@ -93,7 +91,8 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
       interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200),
       recorder_(interval_, expected_time_),
-      fields_(ImplicitFields::asked_for(problem, body_, forces_, expected_time_)) {
+      fields_(ImplicitFields::asked_for(problem, body_, forces_, expected_time_)),
+      balance_(0.5 * problem.sphere.mass * problem.impact.speed * problem.impact.speed) {
   const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
   steps_per_sample_ = std::max(1, static_cast<int>(std::ceil(interval_ / asked - 1e-9)));
   smallest_step_ = interval_ / steps_per_sample_;
@@ -112,9 +111,7 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
     adhesion_.emplace(body_, traction_, forces_.empty_matrix());
     adhesion_->add_forces(now_.u, now_.force);
     pull_ = adhesion_->pull(now_.u);
-    potential_at_rest_ = adhesion_->potential(now_.u);
   }
-  initial_kinetic_ = 0.5 * now_.v.dot(forces_.times_mass(now_.v));
 }
 
 /// Residual of one step as a function of the displacement at its end.
@@ -194,18 +191,9 @@ void ImplicitImpact::accept(double step, MotionState next) {
   constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
   const double force = next.reaction.sum();
   const double pull = adhesion_ ? adhesion_->pull(next.u) : 0.0;
-  const double impulse = 0.5 * step * (contact_force_ + force - pull_ - pull);
+  const double impulse = 0.5 * step * (separation_.last_force() + force - pull_ - pull);
   recorder_.add_impulse(impulse, now_.time, next.time);
-  if (force > 0.0) {
-    last_contact_ = next.time;
-  } else if (contact_force_ > 0.0) {
-    // Force falls as (T − t)^{3/2}: where its last two values point to.
-    const double last = std::cbrt(contact_force_ * contact_force_);
-    const double fall = std::cbrt(force_before_ * force_before_) - last;
-    last_contact_ = now_.time + step * (fall > last ? last / fall : 1.0);
-  }
-  force_before_ = contact_force_;
-  contact_force_ = force;
+  separation_.add(force, {.from = now_.time, .to = next.time});
   pull_ = pull;
   contact_radius_ = force > 0.0 ? held_.contact_radius(next.u) : 0.0;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
@@ -222,7 +210,7 @@ void ImplicitImpact::book(EnergyBook& book) const {
   book.kinetic_centre_of_mass = 0.5 * body_.mass * speed * speed;
   book.kinetic_vibration = kinetic - book.kinetic_centre_of_mass;
   book.stored = forces_.stored_energy(now_.u);
-  book.adhesion = adhesion_ ? adhesion_->potential(now_.u) - potential_at_rest_ : 0.0;
+  book.adhesion = adhesion_ ? adhesion_->energy(now_.u) : 0.0;
   book.branches =
       forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - book.stored - book.adhesion;
   book.contact_constraint = -constraint_work_;
@@ -231,10 +219,7 @@ void ImplicitImpact::book(EnergyBook& book) const {
 
 void ImplicitImpact::sample() {
   book(book_);
-  const double found = book_.kinetic_centre_of_mass + book_.kinetic_vibration + book_.stored +
-                       book_.branches + book_.contact_constraint + book_.adhesion + book_.gravity;
-  worst_energy_error_ =
-      std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
+  balance_.check(book_);
   recorder_.add_sample({.deflection = -forces_.axial_mass().dot(now_.u) / body_.mass,
                         .pole_deflection = -now_.u[2 * pole_ + 1],
                         .contact_radius = contact_radius_,
@@ -243,17 +228,13 @@ void ImplicitImpact::sample() {
 }
 
 bool ImplicitImpact::contact_is_over() const {
-  if (last_contact_ == 0.0 || held_.any() || now_.time < 1.02 * last_contact_) return false;
-  // What is left in the body as vibration of its lowest mode, 2.65 c_s/R; the
-  // surface moves more than the mean, hence 4.
-  const auto& material = forces_.law().constants();
-  const double wave =
-      std::sqrt(material.long_term_deviatoric * material.instantaneous.shear / body_.density);
-  const double left = book_.kinetic_vibration + book_.stored;
-  const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / body_.mass) *
-                           problem_.sphere.radius() / (2.65 * wave);
+  const double last = separation_.found();
+  if (last == 0.0 || held_.any() || now_.time < 1.02 * last) return false;
+  const double swing = surface_swing(
+      book_, forces_.law().constants(),
+      {.mass = body_.mass, .density = body_.density, .radius = problem_.sphere.radius()});
   const double reach = traction_.acts() ? traction_.range : 0.0;
-  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > amplitude + reach;
+  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > swing + reach;
 }
 
 FemResult ImplicitImpact::run(const RunControl& control) {
@@ -298,9 +279,9 @@ void ImplicitImpact::conclude(FemResult& result) const {
                   {.mass = body_.mass,
                    .speed = forces_.axial_mass().dot(now_.v) / body_.mass,
                    .time = now_.time,
-                   .last_contact = last_contact_,
-                   .initial_kinetic = initial_kinetic_,
-                   .energy_error = worst_energy_error_,
+                   .last_contact = separation_.found(),
+                   .initial_kinetic = balance_.brought(),
+                   .energy_error = balance_.worst(),
                    .contact_radius_peak = contact_radius_peak_,
                    .energies = book_},
                   result);
@@ -322,14 +303,7 @@ void check_scheme(const FemProblem& problem) {
 FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem, const RunControl& control) {
   check_problem(problem);
   check_scheme(problem);
-  const auto start = Clock::now();
-  ImplicitImpact impact(mesh, problem);
-  const double setup = seconds_since(start);
-  const auto loop = Clock::now();
-  FemResult result = impact.run(control);
-  result.wall_seconds = seconds_since(loop);
-  result.setup_seconds = setup;
-  return result;
+  return timed_impact<ImplicitImpact>(control, mesh, problem);
 }
 
 }  // namespace rebound::fem

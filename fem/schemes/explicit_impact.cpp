@@ -1,7 +1,6 @@
 #include "fem/schemes/explicit_impact.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -11,19 +10,17 @@
 #include "fem/kernel/cell_batches.hpp"
 #include "fem/output/impact_fields.hpp"
 #include "fem/schemes/body_motion.hpp"
+#include "fem/schemes/energy_balance.hpp"
 #include "fem/schemes/impact_conclusion.hpp"
 #include "fem/schemes/impact_limits.hpp"
 #include "fem/schemes/impact_recorder.hpp"
 #include "fem/schemes/prony_steps.hpp"
+#include "fem/schemes/stable_step.hpp"
+#include "fem/schemes/surface_swing.hpp"
+#include "fem/schemes/timed_impact.hpp"
 
 namespace rebound::fem {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class ExplicitImpact {
  public:
@@ -36,7 +33,6 @@ class ExplicitImpact {
   void book_energies(const BodyMotion::Sums& before, const PlateStep& now,
                      const BodyMotion::Sums& after);
   bool contact_is_over() const;
-  void choose_next_step();
   FemResult finish(std::string incomplete_because);
   void conclude(FemResult& result) const;
 
@@ -46,7 +42,7 @@ class ExplicitImpact {
   const ViscoelasticConstants material_;
   const CellBatches cells_;
   const CellArrays& arrays_ = cells_.arrays();
-  double first_step_, step_before_, step_, smallest_step_;
+  StableStep step_;
   BodyMotion motion_;
   const AdhesiveTraction adhesion_;  ///< its range chosen
   std::unique_ptr<PlateContact> plate_;
@@ -59,25 +55,12 @@ class ExplicitImpact {
   PronySteps prony_;
   long steps_ = 0;
   double time_ = 0.0;
-  double internal_work_ = 0.0, constraint_work_ = 0.0, friction_work_ = 0.0, initial_kinetic_ = 0.0;
+  double internal_work_ = 0.0, constraint_work_ = 0.0, friction_work_ = 0.0;
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
   double last_contact_ = 0.0;
   EnergyBook book_;
-  double worst_energy_error_ = 0.0;
+  EnergyBalance balance_;
 };
-
-/// `safety` times the largest stable step at this ω².
-double allowed_step(double frequency_squared, double safety) {
-  return safety * DispersionCorrection::step_factor(safety) * 2.0 / std::sqrt(frequency_squared);
-}
-
-/// First step: what the cells at rest allow. Called before any deformation.
-double step_at_rest(const CellBatches& cells, const FemControls& controls) {
-  const std::vector<double>& frequencies = cells.cell_frequency_squared();
-  const double allowed = allowed_step(*std::max_element(frequencies.begin(), frequencies.end()),
-                                      controls.step_safety);
-  return controls.largest_step > 0.0 ? std::min(allowed, controls.largest_step) : allowed;
-}
 
 std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const FemProblem& problem,
                                          const AdhesiveTraction& adhesion) {
@@ -85,6 +68,12 @@ std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const FemPr
   if (plate.moves()) return std::make_unique<MovingPlate>(body, plate, adhesion);
   return std::make_unique<RigidPlate>(
       body, PlateSurface{.friction = plate.friction, .adhesion = adhesion});
+}
+
+/// Kinetic energy of the discrete body at `speed`, of which `motion` lacks `behind`.
+double kinetic_at_touch(const BodyMotion& motion, double speed, double behind) {
+  const double to_touch = speed / (speed - behind);
+  return motion.sums().kinetic * to_touch * to_touch;
 }
 
 // Velocities belong to half steps: the first, half a step before the touch, is
@@ -95,11 +84,8 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       kernel_(choose_cell_kernel()),
       material_(viscoelastic_constants(problem.material)),
       cells_(body, material_, kernel_.width),
-      first_step_(step_at_rest(cells_, problem.controls)),
-      step_before_(first_step_),
-      step_(first_step_),
-      smallest_step_(first_step_),
-      motion_(body, problem.impact.speed - 0.5 * first_step_ * problem.gravity,
+      step_(cells_, problem.controls),
+      motion_(body, problem.impact.speed - 0.5 * step_.now() * problem.gravity,
               {body, cells_.cell_frequency_squared(), problem.controls.step_safety}),
       adhesion_{.work = problem.adhesion.work,
                 .range = adhesive_range(problem, material_.instantaneous)},
@@ -112,10 +98,8 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
                 expected_time_,
                 problem.plate.moves() ? Reading::load_cell : Reading::contact_force),
       fields_(ImpactFields::asked_for(problem, {body, cells_, kernel_, material_}, expected_time_)),
-      prony_(material_, first_step_) {
-  const double to_touch =
-      problem.impact.speed / (problem.impact.speed - 0.5 * first_step_ * problem.gravity);
-  initial_kinetic_ = motion_.sums().kinetic * to_touch * to_touch;
+      prony_(material_, step_.now()),
+      balance_(kinetic_at_touch(motion_, problem.impact.speed, 0.5 * step_.now() * problem.gravity)) {
   pole_ = static_cast<int>(std::max_element(body.position.begin(), body.position.end(),
                                             [](const auto& a, const auto& b) { return a[1] < b[1]; }) -
                            body.position.begin());
@@ -143,11 +127,7 @@ void ExplicitImpact::book_energies(const BodyMotion::Sums& before, const PlateSt
   book_.plate_damper = plate.damper;
   book_.gravity =
       problem_.gravity > 0.0 ? mass * problem_.gravity * motion_.mean_height() : 0.0;
-  const double found = kinetic + book_.stored + book_.branches + book_.contact_constraint +
-                       book_.friction + book_.adhesion + book_.plate_kinetic + book_.plate_spring +
-                       book_.plate_damper + book_.gravity;
-  worst_energy_error_ =
-      std::max(worst_energy_error_, std::abs(found - initial_kinetic_) / initial_kinetic_);
+  balance_.check(book_);
 }
 
 /// Samples are placed by the linear motion over the step.
@@ -158,7 +138,7 @@ void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateS
   const double speed_now = after.momentum / motion_.total_mass();
   const PlateState plate = plate_->state();
   const int pole = 2 * pole_ + 1;
-  while (recorder_.next_sample() < time_ + step_) {
+  while (recorder_.next_sample() < time_ + step_.now()) {
     const double ahead = recorder_.next_sample() - time_;
     recorder_.add_sample(
         {.deflection = -(mean_height + ahead * speed_now),
@@ -169,33 +149,20 @@ void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateS
   }
 }
 
-void ExplicitImpact::choose_next_step() {
-  const double allowed =
-      allowed_step(summary_.largest_frequency_squared, problem_.controls.step_safety);
-  step_before_ = step_;
-  // Steps change rarely: the branch coefficients follow every change.
-  if (allowed < step_)
-    step_ = 0.97 * allowed;
-  else if (allowed > 1.1 * step_)
-    step_ = problem_.controls.largest_step > 0.0
-                ? std::min(1.02 * step_, problem_.controls.largest_step)
-                : 1.02 * step_;
-  smallest_step_ = std::min(smallest_step_, step_);
-}
-
 void ExplicitImpact::step() {
+  const double behind = step_.before(), ahead = step_.now();
   const CellMotion now{.displacement = motion_.displacement.data(),
                        .velocity = motion_.velocity.data()};
   if (fields_) fields_->see(time_, prony_.data(), now, history_);
   std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
   summary_ = kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(),
                                      motion_.force.data());
-  const bool sampling = recorder_.next_sample() < time_ + step_;
+  const bool sampling = recorder_.next_sample() < time_ + ahead;
   const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
 
-  internal_work_ += motion_.half_step_work(step_before_);
+  internal_work_ += motion_.half_step_work(behind);
   plate_->remember(motion_.velocity);
-  const StepSpan span{.kick = 0.5 * (step_before_ + step_), .drift = step_};
+  const StepSpan span{.kick = 0.5 * (behind + ahead), .drift = ahead};
   motion_.kick(span.kick, problem_.gravity);
   if (fields_) fields_->before_plate(motion_.velocity);
   const PlateStep plate = plate_->hold_back(motion_.displacement, motion_.velocity, span);
@@ -203,35 +170,31 @@ void ExplicitImpact::step() {
   friction_work_ += plate.friction_work;
   contact_radius_ = plate.contact_radius;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
-  const double start = time_ - 0.5 * step_before_, end = time_ + 0.5 * step_;
+  const double start = time_ - 0.5 * behind, end = time_ + 0.5 * ahead;
   if (fields_) fields_->after_plate(motion_.velocity, end);
   recorder_.add_impulse(plate.impulse - plate.pull, start, end);
   recorder_.add_reading(plate.reading, start, end);
   if (plate.impulse > 0.0) last_contact_ = end;
   if (sampling) record_samples(before, plate);
-  internal_work_ += motion_.half_step_work(step_);
+  internal_work_ += motion_.half_step_work(ahead);
 
-  motion_.drift(step_);
-  plate_->drift(step_);
-  time_ += step_;
+  motion_.drift(ahead);
+  plate_->drift(ahead);
+  time_ += ahead;
   ++steps_;
-  choose_next_step();
-  prony_.advance(step_);
+  step_.choose(summary_.largest_frequency_squared);
+  prony_.advance(step_.now());
 }
 
 bool ExplicitImpact::contact_is_over() const {
   if (last_contact_ == 0.0 || time_ < 1.02 * last_contact_) return false;
-  // Vibration of the lowest spheroidal mode (η = ω R/c_s ≈ 2.65) with all the
-  // energy left in the body; the surface moves more than the mean, hence 4.
-  const double shear_speed = std::sqrt(material_.long_term_deviatoric *
-                                       material_.instantaneous.shear / body_.density);
-  const double frequency = 2.65 * shear_speed / problem_.sphere.radius();
-  const double left = book_.kinetic_vibration + book_.stored;
   const double mass = motion_.total_mass();
-  const double amplitude = 4.0 * std::sqrt(2.0 * std::max(left, 0.0) / mass) / frequency;
+  const double swing = surface_swing(
+      book_, material_,
+      {.mass = mass, .density = body_.density, .radius = problem_.sphere.radius()});
   const double reach = adhesion_.acts() ? adhesion_.range : 0.0;
   return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
-                                                    .vibration = amplitude + reach,
+                                                    .vibration = swing + reach,
                                                     .horizon = end_time_});
 }
 
@@ -242,7 +205,7 @@ FemResult ExplicitImpact::run(const RunControl& control) {
     step();
     if (!(summary_.smallest_jacobian > 0.0))
       incomplete = "a cell was turned inside out (Jacobian <= 0)";
-    else if (!(step_ > 1e-4 * first_step_))
+    else if (step_.collapsed())
       incomplete = "the stable step fell below 1e-4 of its first value";
     else if (time_ > end_time_)
       incomplete = "the contact had not ended by the end time";
@@ -264,7 +227,7 @@ FemResult ExplicitImpact::finish(std::string incomplete_because) {
   result.cells = arrays_.cells;
   result.vertices = body_.node_count();
   result.steps = steps_;
-  result.smallest_step = smallest_step_;
+  result.smallest_step = step_.smallest();
   result.kernel = kernel_.name;
   result.incomplete_because = std::move(incomplete_because);
   if (fields_) result.shapes = fields_->shapes();
@@ -277,10 +240,10 @@ void ExplicitImpact::conclude(FemResult& result) const {
   conclude_impact(problem_, recorder_,
                   {.mass = mass,
                    .speed = motion_.sums().momentum / mass,
-                   .time = time_ - 0.5 * step_before_,  // velocities belong to half steps
+                   .time = time_ - 0.5 * step_.before(),  // velocities belong to half steps
                    .last_contact = last_contact_,
-                   .initial_kinetic = initial_kinetic_,
-                   .energy_error = worst_energy_error_,
+                   .initial_kinetic = balance_.brought(),
+                   .energy_error = balance_.worst(),
                    .contact_radius_peak = contact_radius_peak_,
                    .energies = book_},
                   result);
@@ -291,14 +254,7 @@ void ExplicitImpact::conclude(FemResult& result) const {
 FemResult run_explicit_impact(const Discretisation& body, const FemProblem& problem,
                               const RunControl& control) {
   check_problem(problem);
-  const auto start = Clock::now();
-  ExplicitImpact impact(body, problem);
-  const double setup = seconds_since(start);
-  const auto loop = Clock::now();
-  FemResult result = impact.run(control);
-  result.wall_seconds = seconds_since(loop);
-  result.setup_seconds = setup;
-  return result;
+  return timed_impact<ExplicitImpact>(control, body, problem);
 }
 
 }  // namespace rebound::fem

@@ -58,6 +58,20 @@ TEST(ImpactReportTest, ShowsForceAndOnlyTheEnergiesThatActed) {
   EXPECT_TRUE(all<report::Animation>(page).empty());
 }
 
+TEST(ImpactReportTest, EveryChannelOfTheEnergyHasALineOfItsOwn) {
+  FemResult result = some_result();
+  result.energies[1] = {.kinetic_centre_of_mass = 1, .kinetic_vibration = 2, .stored = 3, .branches = 4,
+                        .contact_constraint = 5, .friction = 6, .adhesion = 7, .plate_kinetic = 8,
+                        .plate_spring = 9, .plate_damper = 10, .gravity = 11};
+  const report::Report page = impact_report(some_problem(), result);
+  EXPECT_NO_THROW(report::check_report(page));
+  const auto lines = all<report::Figure>(page)[2].series;
+  ASSERT_EQ(lines.size(), 11u);
+  double sum = 0.0;
+  for (const auto& line : lines) sum += line.y[1];
+  EXPECT_EQ(sum, 66.0);
+}
+
 TEST(ImpactReportTest, DrawsErrorBarsAsABandAndTheLoadCellBesideTheContact) {
   FemResult result = some_result();
   result.trace.further.push_back({"force_uncertainty_N", {1.0, 20.0, 1.0}});
