@@ -27,7 +27,11 @@ namespace rebound {
 /// Limit:   C → 0, that is R → ∞, is KuwabaraKono
 ///          -> test FiniteSphereHertzTest.LargeSphereIsKuwabaraKono; elastic
 ///          impacts at 0.1 to 1 m/s -> test FiniteSphereHertzTest.ElasticImpacts.
-/// Caution: a real ball at finite strain stiffens less steeply than this.
+/// Caution: a real ball at finite strain stiffens less steeply than this. Strain is of the
+///          order of the correction, so that C belongs to the whole stress law and not to ν
+///          alone: at a/R = 0.05, ν = 0.4, FE finds 0.35 for a neo-Hookean ball, 0.30 and
+///          0.46 for hyperfoams of exponent 8 and -8 with the same moduli
+///          -> test RungC.TheCorrectionBelongsToTheLawAndHertzToAll.
 /// Source:  C: axisymmetric linear-elastic computations of a sphere on one
 ///          plate, load balanced by a uniform body force, at a/R = 0.2; scatter
 ///          ±0.005. Tatara 1991 for the form.
