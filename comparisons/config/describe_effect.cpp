@@ -44,13 +44,17 @@ void describe(Visitor& visit, Plate& plate) {
            .friction = friction.value_or(defaults.friction)};
 }
 
+std::string size_unit(const EffectCard& card) {
+  return card.size_dimension == dimension::energy_per_area ? "J/m^2" : unit_name(card.size_dimension);
+}
+
 namespace {
 
 void describe_numbers(Visitor& visit, EffectChoice& choice) {
   const EffectCard& card = find_effect(choice.name).card;
   visit.number({.name = "size",
                 .sentence = card.sentence + " " + card.equation,
-                .unit = unit_name(card.size_dimension),
+                .unit = size_unit(card),
                 .range = from_to(card.lowest, card.highest)},
                choice.size);
   for (const EffectParameterCard& parameter : card.parameters) {

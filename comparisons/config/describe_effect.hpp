@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "comparisons/config/visitor.hpp"
@@ -14,6 +15,10 @@ void describe(Visitor& visit, Plate& plate);
 
 /// One `[[model.effect]]`: its name, then size and parameters as its card says.
 void describe(Visitor& visit, EffectChoice& choice);
+
+/// Unit in which the size of an effect is written; empty for a plain number. A work per
+/// area reads J/m^2, where a stiffness of the same dimension reads N/m.
+std::string size_unit(const EffectCard& card);
 
 /// The list `[[model.effect]]`.
 void describe_effects(Visitor& visit, std::vector<EffectChoice>& effects);

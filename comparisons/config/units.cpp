@@ -177,7 +177,6 @@ std::string unit_name(const Dimension& d) {
   if (close(d, dimension::none)) return "";
   if (close(d, dimension::pressure)) return "Pa";
   if (close(d, dimension::frequency)) return "Hz";
-  if (close(d, dimension::energy_per_area)) return "J/m^2";
   if (close(d, dimension::length / dimension::force)) return "m/N";
   // A contact law's numbers are forces over powers of deflection and speed.
   const bool force = std::abs(d.kilogram - 1.0) < 1e-9 && d.second < -0.5;

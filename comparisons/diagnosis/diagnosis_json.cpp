@@ -4,14 +4,13 @@
 
 #include <iterator>
 
+#include "comparisons/config/describe_effect.hpp"
 #include "comparisons/config/units.hpp"
 
 namespace rebound {
 namespace {
 
-std::string unit_of(const Dimension& dimension) {
-  return dimension == dimension::none ? "1" : unit_name(dimension);
-}
+std::string or_one(const std::string& unit) { return unit.empty() ? "1" : unit; }
 
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
@@ -22,11 +21,11 @@ Json effect_json(const NamedEffect& named) {
     for (const auto& parameter : card.parameters)
       if (parameter.name == number.name)
         parameters.push_back({{"name", number.name}, {"value", number.value},
-                              {"unit", unit_of(parameter.dimension)},
+                              {"unit", or_one(unit_name(parameter.dimension))},
                               {"interval", {number.low, number.high}}});
   return {{"name", card.name},
           {"size", named.size.value},
-          {"unit", unit_of(card.size_dimension)},
+          {"unit", or_one(size_unit(card))},
           {"interval", {named.size.low, named.size.high}},
           {"parameters", parameters},
           {"tiers", {{"lumped", named.lumped}, {"fem", named.fem}}}};
@@ -43,7 +42,7 @@ Json to_json(const Diagnosis& d) {
   for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
   for (const auto& e : d.excluded)
     excluded.push_back({{"name", e.name}, {"size", e.size},
-                        {"unit", unit_of(find_effect(e.name).card.size_dimension)}});
+                        {"unit", or_one(size_unit(find_effect(e.name).card))}});
   for (const auto& e : d.next)
     next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
   for (const auto& cell : d.where)
@@ -80,8 +79,7 @@ std::string headline(const Diagnosis& d) {
       text += fmt::format("{}{}", text.empty() ? "" : ", ", card.name);
       if (!card.is_switch)
         text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", e.size.value, e.size.low, e.size.high,
-                            card.size_dimension == dimension::none
-                                ? "" : " " + unit_name(card.size_dimension));
+                            size_unit(card).empty() ? "" : " " + size_unit(card));
     }
     return text;
   };
@@ -128,7 +126,7 @@ std::string to_text(const Diagnosis& d) {
                    e.separates[1], e.probability);
   for (const auto& e : d.excluded)
     fmt::format_to(out, "excluded  {} above {:.3g} {}\n", e.name, e.size,
-                   unit_of(find_effect(e.name).card.size_dimension));
+                   or_one(size_unit(find_effect(e.name).card)));
   for (const auto& warning : d.warnings) fmt::format_to(out, "warning   {}\n", warning);
   return text;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "comparisons/config/units.hpp"
+#include "comparisons/config/describe_effect.hpp"
 #include "comparisons/diagnosis/diagnosis_json.hpp"
 
 namespace rebound {
@@ -194,9 +194,9 @@ report::Table excluded_table(const Diagnosis& d) {
                                   {"unit", "", Kind::text, {}}},
                       .rows = {}};
   for (const auto& e : d.excluded) {
-    const Dimension& dimension = find_effect(e.name).card.size_dimension;
+    const std::string unit = size_unit(find_effect(e.name).card);
     table.rows.push_back({text_cell(e.name), number_cell(e.size, 2),
-                          text_cell(dimension == dimension::none ? "1" : unit_name(dimension))});
+                          text_cell(unit.empty() ? "1" : unit)});
   }
   return table;
 }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "comparisons/config/units.hpp"
+#include "comparisons/config/describe_effect.hpp"
 #include "comparisons/diagnosis/believed_model.hpp"
 #include "comparisons/synthesis/synthesize.hpp"
 
@@ -13,9 +13,9 @@ std::string hidden_in(const SynthesisFile& file) {
   std::string text = file.tier == Tier::fem ? "FE" : "lumped";
   if (file.effects.empty()) return text + ", nothing";
   for (const EffectChoice& effect : file.effects) {
-    const Dimension& dimension = find_effect(effect.name).card.size_dimension;
+    const std::string unit = size_unit(find_effect(effect.name).card);
     text += fmt::format(", {} {:.3g}{}", effect.name, effect.size,
-                        dimension == dimension::none ? "" : " " + unit_name(dimension));
+                        unit.empty() ? "" : " " + unit);
   }
   return text;
 }

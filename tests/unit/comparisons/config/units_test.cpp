@@ -71,6 +71,7 @@ TEST(UnitsTest, NamesOfDimensionsReadBack) {
     EXPECT_NEAR(read.second, d.second, 1e-9) << unit_name(d);
   }
   EXPECT_EQ(unit_name(hertz_stiffness), "N/m^1.5");
+  EXPECT_EQ(unit_name(dimension::energy_per_area), "N/m");  // a stiffness, as laws have it
   EXPECT_EQ(unit_name(hertz_damping), "N.s/m^2.5");
 }
 
