@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "comparisons/app/interruption.hpp"
+#include "comparisons/numerical_error/reference_impact.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -26,15 +27,9 @@ std::string with_error(double value, double uncertainty) {
 }
 
 /// Whether error bars make the result a reference, in a sentence.
-std::string reference_sentence(const Json& result) {
-  const Json& reference = result["reference"];
-  const double limit = 100.0 * reference["limit"].get<double>();
-  if (reference["beyond"].empty())
-    return fmt::format("yes: force, deflection, contact time and restitution known to {:g} %", limit);
-  std::string beyond;
-  for (const Json& key : reference["beyond"])
-    beyond += (beyond.empty() ? "" : ", ") + key.get<std::string>();
-  return fmt::format("no: {} not known to {:g} %; more cells narrow it", beyond, limit);
+std::string reference_sentence(const Json& reference) {
+  const auto beyond = reference["beyond"].get<std::vector<std::string>>();
+  return (beyond.empty() ? "yes: " : "no: ") + words_of_reference(beyond);
 }
 
 }  // namespace
@@ -50,7 +45,7 @@ void print_result(const Session& session, const Json& result) {
   for (const auto& [key, value] : result.items()) {
     if (key == "schema" || key == "uncertainty" || key == "uncertainty_basis") continue;
     std::string text = text_of(value);
-    if (key == "reference") text = reference_sentence(result);
+    if (key == "reference") text = reference_sentence(value);
     if (key == "family") text = fmt::format("{} runs", value.size());
     if (uncertainty.contains(key))
       text = with_error(value.get<double>(), uncertainty[key].get<double>());

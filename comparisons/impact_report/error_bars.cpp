@@ -9,14 +9,7 @@ namespace {
 
 std::string verdict(const ReferenceImpact& reference) {
   const auto beyond = beyond_reference_limit(reference);
-  const double limit = 100.0 * reference_limit;
-  if (beyond.empty())
-    return fmt::format("A reference: peak force, peak deflection, contact time and restitution are each "
-                       "known to {:g} % or better.",
-                       limit);
-  std::string names;
-  for (const std::string& key : beyond) names += (names.empty() ? "" : ", ") + key;
-  return fmt::format("Not a reference: {} not known to {:g} %. More cells narrow the bars.", names, limit);
+  return (beyond.empty() ? "A reference: " : "Not a reference: ") + words_of_reference(beyond) + ".";
 }
 
 report::Table bars(const ReferenceImpact& reference) {

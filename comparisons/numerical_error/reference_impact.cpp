@@ -1,5 +1,7 @@
 #include "comparisons/numerical_error/reference_impact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -151,6 +153,12 @@ std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference
     if (!(reference.errors[i].uncertainty <= reference_limit * value)) beyond.emplace_back(key);
   }
   return beyond;
+}
+
+std::string words_of_reference(const std::vector<std::string>& beyond) {
+  const std::string limit = fmt::format("known to {:g} %", 100.0 * reference_limit);
+  if (beyond.empty()) return "peak force, peak deflection, contact time and restitution " + limit;
+  return fmt::format("{} not {}; more cells narrow most bars", fmt::join(beyond, ", "), limit);
 }
 
 ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, const Mesh& coarse,

@@ -51,6 +51,9 @@ inline constexpr double reference_limit = 0.005;
 /// Those of the four that are not. Empty: a reference.
 std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference);
 
+/// What is known to the limit, or what is not, in words.
+std::string words_of_reference(const std::vector<std::string>& beyond);
+
 /// Runs one impact on a mesh and its two refinements by cutting cells into
 /// four; on the middle one also with half the step, and at four speeds nearby.
 ///

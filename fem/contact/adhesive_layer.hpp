@@ -18,7 +18,7 @@ namespace rebound::fem {
 /// Derjaguin's, whatever r is -> test AdhesiveLayerTest.PullAtTouchIsDerjaguins.
 /// Valid:   r spanned by two nodes or more outside the contact; Tabor number
 ///          below 0.1 for the pull at separation to be 2πR w too (DMT).
-/// Limit:   w → 0 leaves every bit -> test AdhesionImpact.NoWorkNoChange.
+/// Limit:   w = 0 leaves every bit -> test AdhesionImpact.NoWorkNoChange.
 /// Caution: the area is that at rest: a surface that stretches carries the same
 ///          work in all. A short range (Tabor number above 5) pulls off at ¾ of
 ///          this, by a neck which the cells must resolve (JKR).
@@ -32,9 +32,10 @@ class AdhesiveLayer {
   double pull(std::size_t i, double gap) const;
   /// V of that node, ≤ 0 [J].
   double potential(std::size_t i, double gap) const;
-  double range() const { return traction_.range; }
 
  private:
+  double fade(double gap) const;  ///< 1 − g/r, or 0 beyond the range
+
   AdhesiveTraction traction_;
   std::vector<double> area_;  ///< A_i [m²]
 };

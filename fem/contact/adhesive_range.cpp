@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "fem/materials/engineering_moduli.hpp"
 #include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
@@ -14,20 +15,18 @@ constexpr double longest_range = 0.1;
 constexpr double range_allowed = 0.25;
 constexpr double traction_allowed = 0.1;  ///< over E
 
-double youngs_modulus(const Moduli& moduli) {
-  return 9.0 * moduli.bulk * moduli.shear / (3.0 * moduli.bulk + moduli.shear);
-}
-
 }  // namespace
 
 double adhesive_range(const FemProblem& problem, const Moduli& instantaneous) {
   if (problem.adhesion.range > 0.0) return problem.adhesion.range;
   const double radius = problem.sphere.radius(), work = problem.adhesion.work;
-  const double youngs = youngs_modulus(instantaneous);
-  const double poisson = youngs / (2.0 * instantaneous.shear) - 1.0;
-  const double plane_strain = youngs / (1.0 - poisson * poisson);
+  const double plane_strain = plane_strain_modulus(instantaneous);
   const double gentle = 10.0 * std::cbrt(radius * work * work / (plane_strain * plane_strain));
   return std::clamp(gentle, shortest_range * radius, longest_range * radius);
+}
+
+AdhesiveTraction chosen_adhesion(const FemProblem& problem, const Moduli& instantaneous) {
+  return {.work = problem.adhesion.work, .range = adhesive_range(problem, instantaneous)};
 }
 
 void check_adhesion(const FemProblem& problem, const Moduli& instantaneous) {

@@ -13,6 +13,9 @@ namespace rebound::fem {
 /// At that number and below the pull is Derjaguin's, up to the end of contact.
 double adhesive_range(const FemProblem& problem, const Moduli& instantaneous);
 
+/// The problem's adhesion with that range.
+AdhesiveTraction chosen_adhesion(const FemProblem& problem, const Moduli& instantaneous);
+
 /// Errors: Error(bad_input) for a work or range that is negative or not finite, a
 ///         range above R/4, or a traction at the plate above a tenth of E.
 void check_adhesion(const FemProblem& problem, const Moduli& instantaneous);

@@ -82,8 +82,7 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
     : problem_(problem),
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
       forces_(body_, problem.material, ContactInertia::removed),
-      traction_{.work = problem.adhesion.work,
-                .range = adhesive_range(problem, forces_.law().constants().instantaneous)},
+      traction_(chosen_adhesion(problem, forces_.law().constants().instantaneous)),
       search_(body_, forces_.empty_matrix()),
       held_(body_),
       expected_time_(expected_contact_time(problem, forces_.law().constants().instantaneous)),
@@ -233,8 +232,7 @@ bool ImplicitImpact::contact_is_over() const {
   const double swing = surface_swing(
       book_, forces_.law().constants(),
       {.mass = body_.mass, .density = body_.density, .radius = problem_.sphere.radius()});
-  const double reach = traction_.acts() ? traction_.range : 0.0;
-  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > swing + reach;
+  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > swing + traction_.reach();
 }
 
 FemResult ImplicitImpact::run(const RunControl& control) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fem/materials/engineering_moduli.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/out_of_range.hpp"
 
@@ -123,7 +124,7 @@ InelasticConstants inelastic_of(const Material& material, const ViscoelasticCons
                  .softening = k.softening,
                  .densification = k.densification,
                  .mullins = k.mullins,
-                 .youngs_modulus = 9.0 * m.bulk * m.shear / (3.0 * m.bulk + m.shear)},
+                 .youngs_modulus = youngs_modulus(m)},
       .retardation_time = material.retardation_time};
   for (const auto& branch : constants.branches) {
     if (!branch.multiplicative) continue;

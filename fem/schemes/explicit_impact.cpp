@@ -87,8 +87,7 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       step_(cells_, problem.controls),
       motion_(body, problem.impact.speed - 0.5 * step_.now() * problem.gravity,
               {body, cells_.cell_frequency_squared(), problem.controls.step_safety}),
-      adhesion_{.work = problem.adhesion.work,
-                .range = adhesive_range(problem, material_.instantaneous)},
+      adhesion_(chosen_adhesion(problem, material_.instantaneous)),
       plate_(make_plate(body, problem, adhesion_)),
       history_(cells_.make_history()),
       expected_time_(expected_contact_time(problem, material_.instantaneous)),
@@ -192,9 +191,8 @@ bool ExplicitImpact::contact_is_over() const {
   const double swing = surface_swing(
       book_, material_,
       {.mass = mass, .density = body_.density, .radius = problem_.sphere.radius()});
-  const double reach = adhesion_.acts() ? adhesion_.range : 0.0;
   return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
-                                                    .vibration = swing + reach,
+                                                    .vibration = swing + adhesion_.reach(),
                                                     .horizon = end_time_});
 }
 

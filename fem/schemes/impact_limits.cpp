@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fem/contact/adhesive_range.hpp"
+#include "fem/materials/engineering_moduli.hpp"
 #include "fem/materials/viscoelastic_constants.hpp"
 #include "lumped/problem/error.hpp"
 #include "lumped/problem/out_of_range.hpp"
@@ -29,9 +30,7 @@ void check_plate(const Plate& plate) {
 }  // namespace
 
 double expected_contact_time(const FemProblem& problem, const Moduli& moduli) {
-  const double youngs = 9 * moduli.bulk * moduli.shear / (3 * moduli.bulk + moduli.shear);
-  const double poisson = youngs / (2 * moduli.shear) - 1;
-  const double plane_strain = youngs / (1 - poisson * poisson);
+  const double plane_strain = plane_strain_modulus(moduli);
   const double m = problem.sphere.mass;
   return 2.8682657 * std::pow(m * m / (problem.sphere.radius() * plane_strain * plane_strain *
                                        problem.impact.speed),

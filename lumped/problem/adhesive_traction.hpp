@@ -13,6 +13,7 @@ struct AdhesiveTraction {
   double range = 0.0;  ///< r [m]; 0: choose, see fem/contact/adhesive_range.hpp
 
   bool acts() const { return work > 0.0; }
+  double reach() const { return acts() ? range : 0.0; }  ///< gap beyond which there is no pull [m]
 
   friend bool operator==(const AdhesiveTraction&, const AdhesiveTraction&) = default;
 };
