@@ -1,13 +1,14 @@
 #include <deal.II/base/config.h>
 
 #include "fem/discretisation/discretisation.hpp"
+#include "fem/element_tests/element_checks.hpp"
+#include "fem/explicit/explicit_impact.hpp"
 #include "fem/implicit/implicit_impact.hpp"
 #include "fem/implicit/static_compression.hpp"
-#include "fem/schemes/explicit_impact.hpp"
+#include "fem/interface/interface_stamp.hpp"  // generated
+#include "fem/interface/modules.hpp"
 #include "fem/materials/uniaxial.hpp"
-#include "fem/verification/element_checks.hpp"
 #include "lumped/problem/error.hpp"
-#include "lumped/problem/modules.hpp"
 
 namespace {
 
@@ -19,8 +20,8 @@ class PreparedBody final : public rebound::FemBody {
   rebound::FemResult simulate(const rebound::FemProblem& problem,
                               const rebound::RunControl& control) const override {
     if (problem.sphere.mass != mass_)
-      throw rebound::Error(rebound::ExitCode::bad_input,
-                           "the body was prepared for another mass", {.key = "sphere.mass"});
+      throw rebound::Error(rebound::ExitCode::bad_input, "the body was prepared for another mass",
+                           {.key = "sphere.mass"});
     if (problem.scheme == rebound::FemScheme::implicit_steps)
       return rebound::fem::run_implicit_impact(mesh_, problem, control);
     return rebound::fem::run_explicit_impact(body_, problem, control);
@@ -51,8 +52,8 @@ class LoadedFemTier final : public rebound::FemTier {
 
 class LoadedMaterialLaws final : public rebound::MaterialLaws {
  public:
-  std::vector<rebound::UniaxialState> uniaxial(const rebound::Material& material,
-                                               const std::vector<double>& stretches) const override {
+  std::vector<rebound::UniaxialState> uniaxial(
+      const rebound::Material& material, const std::vector<double>& stretches) const override {
     return rebound::fem::uniaxial_states(material, stretches);
   }
 };

@@ -1,18 +1,19 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/atlas/atlas_text.hpp"
-#include "comparisons/config/document.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/reader.hpp"
-#include "comparisons/modules/fem_runner.hpp"
-#include "comparisons/report/write_report.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/evaluation/atlas/atlas_text.hpp"
+#include "comparisons/io/report/write_report.hpp"
+#include "comparisons/io/toml/document.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "comparisons/models/fem_access/fem_runner.hpp"
+#include "comparisons/models/fem_access/mesh_for.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -22,15 +23,17 @@ constexpr const char* default_folder = "results/atlas";
 std::string atlas_help() {
   return "Keys of FILE (TOML), all optional; without FILE the default grid:\n" +
          help_text<AtlasGrid>() +
-         fmt::format("\nWrites atlas.json, atlas.csv, report.html and, one a file, the FE impacts to "
-                     "--out (default {});\nimpacts found there are not run again.\n\n",
-                     default_folder) +
+         fmt::format(
+             "\nWrites atlas.json, atlas.csv, report.html and, one a file, the FE impacts to "
+             "--out (default {});\nimpacts found there are not run again.\n\n",
+             default_folder) +
          exit_code_help();
 }
 
 FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
-  const Sphere sphere = atlas_problem(grid, materials_of(grid).front(), grid.speeds.front()).sphere;
-  return fem_runner(sphere, grid.cells, control);
+  FemProblem any = atlas_problem(grid, materials_of(grid).front(), grid.speeds.front());
+  any.cells = grid.cells;
+  return fem_runner(mesh_for(any, control), any.sphere, control);
 }
 
 ExitCode run_atlas(const Session& session, const std::string& path) {

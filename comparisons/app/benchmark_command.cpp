@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
@@ -7,13 +7,13 @@
 #include "comparisons/app/calibration_text.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/benchmark/benchmark_file.hpp"
-#include "comparisons/config/document.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/config/reader.hpp"
-#include "comparisons/references/read_references.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/evaluation/benchmark/benchmark_file.hpp"
+#include "comparisons/inference/references/read_references.hpp"
+#include "comparisons/io/toml/document.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -24,7 +24,7 @@ std::string benchmark_help() {
 }
 
 BenchmarkEntry entry_of(const Document& document, const BenchmarkRow& row,
-                        const std::vector<ReferenceShot>& shots, const RunControl& control) {
+                        const std::vector<MeasuredImpact>& shots, const RunControl& control) {
   if (!row.file.empty()) return {row.label, read_lumped_file(document.folder() / row.file).model};
   try {
     return {row.label, calibrate(row.request, shots, {}, control).model};
@@ -37,18 +37,16 @@ ExitCode run_benchmark(const Session& session, const std::string& path) {
   const Document document = Document::load(path);
   BenchmarkFile file;
   read_document(document, file);
-  std::vector<BenchmarkReference> references;
+  std::vector<MeasuredImpact> references;
   for (const auto& folder : file.references)
     for (auto& found : read_references(document.folder() / folder.folder))
       references.push_back(std::move(found));
-  std::vector<ReferenceShot> shots;
-  for (const auto& reference : references) shots.push_back(reference.shot);
   if (!session.out.empty()) make_writable_folder(session.out);
   const BenchmarkMatrix matrix = [&] {
     ProgressLine progress("benchmark");
     std::vector<BenchmarkEntry> entries;
     for (const auto& row : file.rows)
-      entries.push_back(entry_of(document, row, shots, progress.control()));
+      entries.push_back(entry_of(document, row, references, progress.control()));
     return benchmark(entries, references, progress.control());
   }();
   Json json = {{"schema", 1}};

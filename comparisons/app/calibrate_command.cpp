@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -8,44 +8,48 @@
 #include "comparisons/app/calibration_output.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/calibration/calibration_file.hpp"
-#include "comparisons/calibration/material_calibration_file.hpp"
-#include "comparisons/config/describe_lumped.hpp"
-#include "comparisons/config/document.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/reader.hpp"
-#include "comparisons/config/toml_writer.hpp"
-#include "comparisons/references/read_references.hpp"
+#include "comparisons/inference/calibration/calibration_file.hpp"
+#include "comparisons/inference/calibration/material_calibration_file.hpp"
+#include "comparisons/inference/references/read_references.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/document.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
 
 namespace rebound {
 namespace {
 
 std::string calibrate_help() {
   return "Keys of FILE (TOML) for a contact law:\n" + help_text<CalibrationFile>() +
-         "\nKeys of FILE for the material of the FE tier:\n" + help_text<MaterialCalibrationFile>() +
+         "\nKeys of FILE for the material of the FE tier:\n" +
+         help_text<MaterialCalibrationFile>() +
          "\nThe calibrated law is printed as an impact file that `rebound lumped` runs; --out "
-         "writes it to\ncalibrated.toml, beside calibration.json. With --out, a calibration that was "
+         "writes it to\ncalibrated.toml, beside calibration.json. With --out, a calibration that "
+         "was "
          "stopped or killed goes on\nwhere it was when the same command is given again "
          "(checkpoint.json, removed at the end).\n\n" +
          exit_code_help();
 }
 
-std::vector<ReferenceShot> read_shots(const Document& document, const CalibrationFile& file,
-                                      std::vector<std::string>& labels) {
-  std::vector<ReferenceShot> shots;
+std::vector<MeasuredImpact> read_shots(const Document& document, const CalibrationFile& file,
+                                       std::vector<std::string>& labels) {
+  std::vector<MeasuredImpact> shots;
   for (const auto& reference : file.references)
     for (auto& found : read_references(document.folder() / reference.folder)) {
       labels.push_back(found.label);
-      shots.push_back(std::move(found.shot));
+      shots.push_back(std::move(found));
     }
   return shots;
 }
 
 /// The first reference's impact under the calibrated law.
 std::string impact_file_of(const LawCalibration& calibration,
-                           const std::vector<ReferenceShot>& shots) {
-  return write_toml(LumpedProblem{.sphere = shots.front().sphere, .impact = shots.front().impact,
-                                  .model = calibration.model, .controls = {}});
+                           const std::vector<MeasuredImpact>& shots) {
+  return write_toml(LumpedProblem{.sphere = shots.front().sphere,
+                                  .impact = shots.front().impact,
+                                  .model = calibration.model,
+                                  .controls = {}});
 }
 
 ExitCode run_calibrate(const Session& session, const std::string& path) {
@@ -54,28 +58,31 @@ ExitCode run_calibrate(const Session& session, const std::string& path) {
   CalibrationFile file;
   read_document(document, file);
   std::vector<std::string> labels;
-  const std::vector<ReferenceShot> shots = read_shots(document, file, labels);
+  const std::vector<MeasuredImpact> shots = read_shots(document, file, labels);
   file.options.controls.checkpoint = checkpoint_of(session);
   const LawCalibration calibration = [&] {
     ProgressLine progress("calibration");
     try {
       return calibrate(file.request, shots, file.options, progress.control());
     } catch (const Error& error) {
-      throw told_of(error, document, file.options.controls.checkpoint);
+      throw annotate(error, document, file.options.controls.checkpoint);
     }
   }();
-  return put_out(session, document, path,
-                 {.head = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}},
-                  .fit = calibration.fit,
-                  .seed = file.options.controls.seed,
-                  .model_toml = impact_file_of(calibration, shots)});
+  return write_calibration(
+      session, document, path,
+      {.head = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}},
+       .fit = calibration.fit,
+       .seed = file.options.controls.seed,
+       .model_toml = impact_file_of(calibration, shots)});
 }
 
 }  // namespace
 
 Action declare_calibrate(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
-  command.add_option("FILE", *file, "Calibration file: a law or a material, and what it is calibrated to")
+  command
+      .add_option("FILE", *file,
+                  "Calibration file: a law or a material, and what it is calibrated to")
       ->required();
   command.footer(calibrate_help);
   return [file](const Session& session) { return run_calibrate(session, *file); };

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/config/document.hpp"
+#include "comparisons/io/toml/document.hpp"
 
 namespace rebound {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "comparisons/app/calibration_text.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 
@@ -15,15 +15,16 @@ std::filesystem::path checkpoint_of(const Session& session) {
   return session.out / "checkpoint.json";
 }
 
-Error told_of(const Error& error, const Document& document, const std::filesystem::path& checkpoint) {
+Error annotate(const Error& error, const Document& document,
+               const std::filesystem::path& checkpoint) {
   if (error.code() == ExitCode::interrupted && !checkpoint.empty())
     return Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
                  {.file = checkpoint.string()});
   return error.location().file.empty() ? document.located(error) : error;
 }
 
-ExitCode put_out(const Session& session, const Document& document, const std::string& path,
-                 const CalibrationOutput& output) {
+ExitCode write_calibration(const Session& session, const Document& document,
+                           const std::string& path, const CalibrationOutput& output) {
   Json json = output.head;
   json.update(to_json(output.fit));
   json["seed"] = output.seed;

@@ -10,19 +10,11 @@ namespace rebound {
 
 namespace {
 
-Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json finite_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 Json value_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
-}
-
-const char* name_of(Identifiability identifiability) {
-  switch (identifiability) {
-    case Identifiability::identified: return "identified";
-    case Identifiability::weakly_identified: return "weakly-identified";
-    case Identifiability::at_bound: return "at-bound";
-    case Identifiability::not_identifiable: return "not-identifiable";
-  }
-  return "";
 }
 
 Json profile_json(const Estimate& estimate) {
@@ -43,7 +35,7 @@ Json to_json(const ScalarErrors& errors) {
           {"restitution", value_or_null(errors.restitution)}};
 }
 
-Json to_json(const BenchmarkCell& cell) {
+Json to_json(const LawScore& cell) {
   if (!cell.failure.empty()) return {{"failure", cell.failure}};
   return {{"failure", nullptr},
           {"restitution", cell.scalars.restitution},
@@ -57,7 +49,7 @@ Json to_json(const BenchmarkCell& cell) {
           {"against_measured", to_json(cell.against_measured)}};
 }
 
-using Quantity = std::function<std::optional<double>(const BenchmarkCell&)>;
+using Quantity = std::function<std::optional<double>(const LawScore&)>;
 
 std::string block(const BenchmarkMatrix& matrix, const std::string& title,
                   const Quantity& quantity) {
@@ -148,15 +140,24 @@ std::string to_text(const BenchmarkMatrix& matrix) {
   for (std::size_t j = 0; j < matrix.references.size(); ++j)
     text += fmt::format("  {:>2}  {}\n", j + 1, matrix.references[j]);
   const std::pair<const char*, Quantity> quantities[] = {
-      {"Peak force, against the reference", [](const auto& c) { return c.against_reference.peak_force; }},
-      {"Peak deflection, against the reference", [](const auto& c) { return c.against_reference.peak_deflection; }},
-      {"Contact time, against the reference", [](const auto& c) { return c.against_reference.contact_time; }},
-      {"Restitution, against the reference", [](const auto& c) { return c.against_reference.restitution; }},
-      {"Force over time, RMS of peak", [](const auto& c) { return std::optional(c.force_time_rms); }},
-      {"Force over deflection, RMS of peak", [](const auto& c) { return std::optional(c.force_deflection_rms); }},
-      {"Peak force, against the measurement", [](const auto& c) { return c.against_measured.peak_force; }},
-      {"Contact time, against the measurement", [](const auto& c) { return c.against_measured.contact_time; }},
-      {"Restitution, against the measurement", [](const auto& c) { return c.against_measured.restitution; }},
+      {"Peak force, against the reference",
+       [](const auto& c) { return c.against_reference.peak_force; }},
+      {"Peak deflection, against the reference",
+       [](const auto& c) { return c.against_reference.peak_deflection; }},
+      {"Contact time, against the reference",
+       [](const auto& c) { return c.against_reference.contact_time; }},
+      {"Restitution, against the reference",
+       [](const auto& c) { return c.against_reference.restitution; }},
+      {"Force over time, RMS of peak",
+       [](const auto& c) { return std::optional(c.force_time_rms); }},
+      {"Force over deflection, RMS of peak",
+       [](const auto& c) { return std::optional(c.force_deflection_rms); }},
+      {"Peak force, against the measurement",
+       [](const auto& c) { return c.against_measured.peak_force; }},
+      {"Contact time, against the measurement",
+       [](const auto& c) { return c.against_measured.contact_time; }},
+      {"Restitution, against the measurement",
+       [](const auto& c) { return c.against_measured.restitution; }},
   };
   for (const auto& [title, quantity] : quantities) text += block(matrix, title, quantity);
   return text + failures(matrix);

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "comparisons/benchmark/benchmark.hpp"
-#include "comparisons/calibration/calibration_problem.hpp"
-#include "comparisons/results/json.hpp"
+#include "comparisons/evaluation/benchmark/benchmark.hpp"
+#include "comparisons/inference/calibration/calibration_problem.hpp"
+#include "comparisons/io/results/json.hpp"
 
 /// Calibration and benchmark results as JSON and as text for a terminal.
 namespace rebound {

@@ -1,16 +1,16 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/config/document.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/config/reader.hpp"
-#include "comparisons/convert/conversion_file.hpp"
-#include "comparisons/convert/conversion_text.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/evaluation/convert/conversion_file.hpp"
+#include "comparisons/evaluation/convert/conversion_text.hpp"
+#include "comparisons/io/toml/document.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -50,7 +50,9 @@ ExitCode run_convert(const Session& session, const std::string& path) {
 
 Action declare_convert(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
-  command.add_option("FILE", *file, "Conversion file: a ball, a speed, and a contact in one convention")
+  command
+      .add_option("FILE", *file,
+                  "Conversion file: a ball, a speed, and a contact in one convention")
       ->required();
   command.footer(convert_help);
   return [file](const Session& session) { return run_convert(session, *file); };

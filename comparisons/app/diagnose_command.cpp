@@ -1,18 +1,19 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/units.hpp"
-#include "comparisons/dataset/read_dataset.hpp"
-#include "comparisons/diagnosis/believed_model.hpp"
-#include "comparisons/diagnosis/diagnosis_json.hpp"
-#include "comparisons/diagnosis/diagnosis_report.hpp"
-#include "comparisons/report/write_report.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/discrepancy/diagnosis/believed_model.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
+#include "comparisons/io/dataset/read_dataset.hpp"
+#include "comparisons/io/report/write_report.hpp"
+#include "comparisons/io/toml/units.hpp"
+#include "comparisons/models/fem_access/mesh_for.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -21,17 +22,20 @@ struct DiagnoseOptions {
   std::vector<std::string> folders;
   std::string model;
   std::string hold_out;
+  std::string mesh;
   std::uint64_t seed = 1;
   bool fail_on_gap = false;
 };
 
 std::string diagnose_help() {
   std::string text =
-      "Fits the believed model of MODEL to all shots but those at one speed, looks for the smallest\n"
+      "Fits the believed model of MODEL to all shots but those at one speed, looks for the "
+      "smallest\n"
       "sets of effects that explain what is left, and predicts the speed that was left out.\n"
       "Verdicts: agrees, missing, one-of, unexplained, measurement-fault, insufficient-data.\n"
       "Results go to --out, or else to results/diagnosis-NAME of the first data set's folder:\n"
-      "diagnosis.json, report.html and, where effects were found, extended.toml, a model file that\n"
+      "diagnosis.json, report.html and, where effects were found, extended.toml, a model file "
+      "that\n"
       "lumped, synthesize and diagnose take as it stands.\n\nEffects:\n";
   for (const Effect& effect : all_effects())
     text += fmt::format("  {:<26} {}\n", effect.card.name, effect.card.sentence);
@@ -52,6 +56,11 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
   request.believed = believed.model;
   request.believed_effects = believed.effects;
   request.seed = options.seed;
+  if (!options.mesh.empty()) {
+    request.mesh_file = std::filesystem::absolute(options.mesh).string();
+    for (const Dataset& dataset : request.datasets)  // refused before anything is fitted
+      mesh_for(FemProblem{.sphere = dataset.sphere, .mesh_file = request.mesh_file});
+  }
   request.hold_out = options.hold_out != "none";
   if (request.hold_out && !options.hold_out.empty())
     request.held_out_speed = parse_quantity(options.hold_out, dimension::speed);
@@ -99,9 +108,13 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
 Action declare_diagnose(CLI::App& command) {
   const auto options = std::make_shared<DiagnoseOptions>();
   command.add_option("DATASET", options->folders, "Data-set folders, fitted jointly")->required();
-  command.add_option("--model", options->model, "Impact file whose [model] is believed")->required();
+  command.add_option("--model", options->model, "Impact file whose [model] is believed")
+      ->required();
   command.add_option("--hold-out", options->hold_out,
                      "Speed that no fit sees, e.g. \"15 m/s\", or none; default: the middle one");
+  command.add_option("--mesh", options->mesh,
+                     "A mesh of your own (.msh, .geo, .step) where FE is asked: it and its "
+                     "refinement, instead of 500 and 1000 cells");
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
   command.add_flag("--fail-on-gap", options->fail_on_gap, "Exit 1 when model and data disagree");
   command.footer(diagnose_help);

@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -7,23 +7,23 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/examples.hpp"
 #include "comparisons/app/print_result.hpp"
-#include "comparisons/modules/module_loader.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/integration/simulate.hpp"
+#include "lumped/problem/atomic_file.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 
 namespace rebound {
 namespace {
 
 /// One thing looked at: "ok" or what is wrong with it.
-struct Finding {
+struct Check {
   std::string what;
   std::string state;
   bool healthy = true;
 };
 
 template <class Look>
-Finding look_at(const std::string& what, const Look& look) {
+Check look_at(const std::string& what, const Look& look) {
   try {
     return {what, look(), true};
   } catch (const std::exception& error) {
@@ -65,13 +65,21 @@ std::string look_at_fem_tier() {
                      result.restitution_momentum);
 }
 
-std::vector<Finding> examine() {
-  std::vector<Finding> findings;
+/// A mesh made, written and read back by Gmsh.
+std::string look_at_meshing() {
+  const RunControl control;
+  const GmshModule& gmsh = gmsh_module();
+  const Mesh mesh = gmsh.sphere({.radius = 0.03, .cells = 60}, control);
+  if (gmsh.msh(mesh).empty()) throw Error(ExitCode::input_output_failed, "Gmsh wrote nothing");
+  return fmt::format("{}, {} unstructured cells", gmsh.version(), mesh.cells.size());
+}
+
+std::vector<Check> examine() {
+  std::vector<Check> findings;
   for (const std::string& version : library_versions()) findings.push_back({"built with", version});
   findings.push_back(look_at("results folder (here)", [] { return look_at_folder("."); }));
-  findings.push_back(look_at("temporary files", [] {
-    return look_at_folder(std::filesystem::temp_directory_path());
-  }));
+  findings.push_back(look_at(
+      "temporary files", [] { return look_at_folder(std::filesystem::temp_directory_path()); }));
   findings.push_back(look_at("lumped tier", look_at_lumped_tier));
   if (!has_fem_tier()) {
     findings.push_back({"FE tier", "left out of this build (-DREBOUND_FEM=OFF)"});
@@ -79,13 +87,14 @@ std::vector<Finding> examine() {
   }
   findings.push_back(look_at("FE module", [] { return fem_tier().versions(); }));
   findings.push_back(look_at("FE tier", look_at_fem_tier));
+  findings.push_back(look_at("mesh files", look_at_meshing));
   return findings;
 }
 
 ExitCode run_doctor(const Session& session) {
   bool healthy = true;
   Json list = Json::array();
-  for (const Finding& finding : examine()) {
+  for (const Check& finding : examine()) {
     healthy = healthy && finding.healthy;
     list.push_back({{"what", finding.what}, {"state", finding.state}, {"ok", finding.healthy}});
     if (!session.json())

@@ -1,17 +1,18 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/config/units.hpp"
-#include "comparisons/drop_test/fem_drop.hpp"
-#include "comparisons/drop_test/stored_calibration.hpp"
-#include "comparisons/modules/fem_runner.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/evaluation/drop_test/fem_drop.hpp"
+#include "comparisons/evaluation/drop_test/stored_calibration.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/units.hpp"
+#include "comparisons/models/fem_access/fem_runner.hpp"
+#include "comparisons/models/fem_access/mesh_for.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -19,10 +20,13 @@ namespace {
 std::string drop_help() {
   const Regulation regulation;
   return fmt::format(
-             "FILE is an impact file of either tier, or calibration.json (or the folder it lies in) "
-             "as `rebound\ncalibrate --out` writes it. The speed of the file is replaced by that of "
+             "FILE is an impact file of either tier, or calibration.json (or the folder it lies "
+             "in) "
+             "as `rebound\ncalibrate --out` writes it. The speed of the file is replaced by that "
+             "of "
              "the drop.\nBand: restitution {:g} to {:g} from {:g} m (Hanley et al., sliotar core "
-             "impact, section 1).\nAn interval needs a calibration; without one the value is judged "
+             "impact, section 1).\nAn interval needs a calibration; without one the value is "
+             "judged "
              "alone, and said to be.\n--out writes drop.json.\n\n",
              regulation.lowest, regulation.highest, regulation.drop_height) +
          exit_code_help();
@@ -34,21 +38,21 @@ bool is_fem(const Document& document) {
 
 DropOutcome fem_drop(const FemProblem& problem,
                      const std::optional<ParameterUncertainty>& uncertainty,
-                     const std::string& file, const DropOptions& options) {
-  if (!problem.mesh_file.empty())
-    throw Error(ExitCode::bad_input, "the drop test makes its own mesh",
-                {.file = file, .key = "model.mesh", .value = problem.mesh_file,
-                 .allowed = "cells instead of mesh"});
+                     const DropOptions& options) {
   ProgressLine progress("FE impacts");
-  return drop_test(problem, uncertainty,
-                   fem_runner(problem.sphere, problem.cells, progress.control()), options);
+  const RunControl control = progress.control();
+  const Mesh mesh = mesh_for(problem, control);
+  DropOutcome outcome =
+      drop_test(problem, uncertainty, fem_runner(mesh, problem.sphere, control), options);
+  outcome.cells = static_cast<int>(mesh.cells.size());
+  return outcome;
 }
 
 DropOutcome calibration_drop(const std::filesystem::path& file, const DropOptions& options) {
   const StoredCalibration stored = read_stored_calibration(file);
   const auto* fem = std::get_if<FemProblem>(&stored.problem);
   DropOutcome outcome =
-      fem ? fem_drop(*fem, stored.uncertainty, file.string(), options)
+      fem ? fem_drop(*fem, stored.uncertainty, options)
           : drop_test(std::get<LumpedProblem>(stored.problem), stored.uncertainty, options);
   if (!stored.why_not.empty())
     outcome.notes.push_back("the calibration's uncertainty is not carried: " + stored.why_not);
@@ -63,8 +67,7 @@ std::filesystem::path input_of(const std::filesystem::path& path) {
 DropOutcome run(const std::filesystem::path& path, const DropOptions& options) {
   if (path.extension() == ".json") return calibration_drop(path, options);
   const Document document = Document::load(path);
-  if (is_fem(document))
-    return fem_drop(read_fem_problem(document), std::nullopt, document.name(), options);
+  if (is_fem(document)) return fem_drop(read_fem_problem(document), std::nullopt, options);
   return drop_test(read_lumped_problem(document), std::nullopt, options);
 }
 
@@ -89,11 +92,13 @@ Json to_json(const DropOutcome& outcome, const DropOptions& options) {
           {"confidence", options.confidence},
           {"probability_inside",
            outcome.probability_inside ? Json(*outcome.probability_inside) : Json(nullptr)},
-          {"regulation", {{"drop_height_m", regulation.drop_height},
-                          {"restitution", {regulation.lowest, regulation.highest}}}},
+          {"regulation",
+           {{"drop_height_m", regulation.drop_height},
+            {"restitution", {regulation.lowest, regulation.highest}}}},
           {"verdict", name_of(outcome.verdict)},
           {"sentence", sentence_of(outcome)},
           {"notes", outcome.notes},
+          {"cells", outcome.cells ? Json(*outcome.cells) : Json(nullptr)},
           {"draws", options.draws},
           {"seed", options.seed}};
 }
@@ -115,7 +120,8 @@ ExitCode run_drop(const Session& session, const std::string& given, const std::s
   try {
     options.height = parse_quantity(height, dimension::length);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), {.key = "--height", .value = height, .allowed = "e.g. \"1.8 m\""});
+    throw Error(error.code(), error.what(),
+                {.key = "--height", .value = height, .allowed = "e.g. \"1.8 m\""});
   }
   if (!session.out.empty()) make_writable_folder(session.out);
   const DropOutcome outcome = run(path, options);
@@ -135,7 +141,8 @@ Action declare_drop(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   const auto height = std::make_shared<std::string>("1.8 m");
   const auto options = std::make_shared<DropOptions>();
-  command.add_option("FILE", *file, "Impact file of either tier, or a calibration result")->required();
+  command.add_option("FILE", *file, "Impact file of either tier, or a calibration result")
+      ->required();
   command.add_option("--height", *height, "Drop height with its unit")->capture_default_str();
   command.add_option("--confidence", options->confidence, "Of the interval")->capture_default_str();
   command.add_option("--draws", options->draws, "Draws of the parameters")->capture_default_str();

@@ -58,7 +58,7 @@ Dataset example_dataset() {
   dataset.instrument.force_gain_uncertainty = 0.03;
   dataset.instrument.camera_rate = 4000.0;
   dataset.instrument.deflection = DeflectionOrigin::integrated;
-  dataset.shots.push_back({.speed = 15.0,
+  dataset.shots.push_back({.impact = {.speed = 15.0},
                            .restitution = {.value = 0.527, .uncertainty = 0.01},
                            .contact_time = {.value = 1.91e-3, .uncertainty = 0.03e-3}});
   dataset.quasistatic.push_back({.platens = 2, .stiffness = {.value = 4.053e5}});
@@ -82,9 +82,9 @@ SelectionFile example_selection() {
 
 BenchmarkFile example_benchmark() {
   BenchmarkFile file;
-  file.rows = {{.label = "as it stands", .file = "lumped.toml", .request = {}},
-               {.label = "Kelvin-Voigt, fitted", .file = "",
-                .request = {.law = "linear-kelvin-voigt"}}};
+  file.rows = {
+      {.label = "as it stands", .file = "lumped.toml", .request = {}},
+      {.label = "Kelvin-Voigt, fitted", .file = "", .request = {.law = "linear-kelvin-voigt"}}};
   file.references = {{"reference"}};
   return file;
 }

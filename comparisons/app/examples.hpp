@@ -1,12 +1,12 @@
 #pragma once
 
-#include "comparisons/benchmark/benchmark_file.hpp"
-#include "comparisons/calibration/calibration_file.hpp"
-#include "comparisons/dataset/dataset.hpp"
-#include "comparisons/selection/selection_file.hpp"
-#include "comparisons/synthesis/synthesis_file.hpp"
-#include "lumped/problem/compression.hpp"
-#include "lumped/problem/fem_problem.hpp"
+#include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
+#include "comparisons/evaluation/benchmark/benchmark_file.hpp"
+#include "comparisons/inference/calibration/calibration_file.hpp"
+#include "comparisons/inference/selection/selection_file.hpp"
+#include "comparisons/io/dataset/dataset.hpp"
+#include "fem/interface/compression.hpp"
+#include "fem/interface/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
 
 namespace rebound {

@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,59 +12,31 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/accuracy/numerical_error/error_bars.hpp"
+#include "comparisons/accuracy/numerical_error/reference_json.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/describe_fem.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/config/toml_writer.hpp"
-#include "comparisons/impact_report/error_bars.hpp"
-#include "comparisons/impact_report/impact_report.hpp"
-#include "comparisons/modules/memory_needed.hpp"
-#include "comparisons/modules/module_loader.hpp"
-#include "comparisons/numerical_error/reference_json.hpp"
-#include "comparisons/report/write_report.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/results/result_folder.hpp"
-#include "meshes/format/msh.hpp"
-#include "meshes/generate/sphere_mesh.hpp"
-#include "meshes/quality/mesh_quality.hpp"
+#include "comparisons/io/impact_report/impact_report.hpp"
+#include "comparisons/io/report/write_report.hpp"
+#include "comparisons/io/results/result_folder.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
+#include "comparisons/models/fem_access/mesh_for.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
 
 std::string fem_help() {
-  return "--out DIR writes result.json, trace.csv, effective.toml and report.html; with field_frames also "
+  return "--out DIR writes result.json, trace.csv, effective.toml and report.html; with "
+         "field_frames also "
          "fields/impact.pvd for ParaView and the moving half-section of the report.\n\n"
-         "Keys of FILE (TOML):\n" + help_text<FemImpactFile>() + "\n" + exit_code_help();
-}
-
-/// A user's mesh in millimetres, or of another ball, would run and mislead.
-void check_size(const FemProblem& problem, const Mesh& mesh) {
-  constexpr double tolerance = 0.05;  // of the volume: straight cell edges cut some off
-  const double volume = measure_quality(mesh).volume;
-  const double sphere = problem.sphere.volume();
-  if (std::abs(volume / sphere - 1.0) <= tolerance) return;
-  throw Error(ExitCode::bad_input,
-              fmt::format("the mesh turned about its axis has {:.4g} m^3, the sphere of "
-                          "sphere.diameter {:.4g} m^3; coordinates are in metres",
-                          volume, sphere),
-              {.file = problem.mesh_file, .key = "model.mesh", .allowed = "a volume within 5 %"});
-}
-
-/// A user's own mesh, or one of about `cells`; `copies` times its cells have to
-/// fit into the memory.
-Mesh mesh_for(const FemProblem& problem, int copies) {
-  if (!problem.mesh_file.empty()) {
-    constexpr std::size_t largest_file = 1u << 28;
-    const Mesh mesh = read_msh(read_text_file(problem.mesh_file, largest_file), problem.mesh_file);
-    check_size(problem, mesh);
-    check_memory(problem, copies * static_cast<int>(mesh.cells.size()));
-    return mesh;
-  }
-  check_memory(problem, copies * problem.cells);
-  return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
+         "Keys of FILE (TOML):\n" +
+         help_text<FemImpactFile>() + "\n" + exit_code_help();
 }
 
 constexpr const char* report_name = "report.html";
@@ -107,8 +79,9 @@ struct Outcome {
 Outcome simulate(FemProblem problem, Errors errors) {
   ProgressLine progress("FE impact");
   constexpr int finest = 16, family = 1 + 4 + finest;
-  const Mesh mesh = mesh_for(problem, errors == Errors::reference ? family : 1);
-  const bool quarters = problem.scheme == FemScheme::implicit_steps;  // as a nine-node cell is drawn
+  const Mesh mesh = mesh_for(problem, progress.control(), errors == Errors::reference ? family : 1);
+  const bool quarters =
+      problem.scheme == FemScheme::implicit_steps;  // as a nine-node cell is drawn
   const int cells = static_cast<int>(mesh.cells.size()) *
                     (errors == Errors::reference ? finest : 1) * (quarters ? 4 : 1);
   problem.controls.shape_frames = animated_frames(problem.controls.field_frames, cells);
@@ -135,11 +108,9 @@ ExitCode run_fem(const Session& session, const std::string& file, Errors errors)
     throw document.located(error);
   }
   if (!session.out.empty()) {
-    Provenance provenance = provenance_of(session, file, document.text());
-    provenance.modules = {fem_tier().versions()};
     write_result({.folder = session.out,
                   .effective_toml = write_toml(impact_file),
-                  .provenance = provenance,
+                  .provenance = provenance_with_fem(session, file, document.text()),
                   .further_keys = outcome.json},
                  outcome.result);
     if (outcome.result.incomplete_because.empty()) {

@@ -5,12 +5,12 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/examples.hpp"
 #include "comparisons/app/print_result.hpp"
-#include "comparisons/config/describe_compression.hpp"
-#include "comparisons/config/describe_fem.hpp"
-#include "comparisons/config/describe_lumped.hpp"
-#include "comparisons/config/toml_writer.hpp"
-#include "comparisons/dataset/describe_dataset.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/io/dataset/describe_dataset.hpp"
+#include "comparisons/io/toml/describe_compression.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {

@@ -9,7 +9,9 @@ namespace {
 std::atomic<bool> asked_to_stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);  // legal in a signal handler
 
-extern "C" void ask_to_stop(int) { asked_to_stop.store(true); }
+extern "C" void ask_to_stop(int) {
+  asked_to_stop.store(true);
+}
 
 }  // namespace
 
@@ -24,6 +26,8 @@ void watch_for_interruption() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() { return asked_to_stop.load(); }
+bool interrupted() {
+  return asked_to_stop.load();
+}
 
 }  // namespace rebound

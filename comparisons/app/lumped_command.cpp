@@ -6,15 +6,15 @@
 #include "comparisons/app/plausibility.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/describe_lumped.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/config/toml_writer.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/results/result_folder.hpp"
+#include "comparisons/io/results/result_folder.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
 #include "lumped/integration/sensitivities.hpp"
 #include "lumped/integration/simulate.hpp"
-#include "lumped/laws/laws.hpp"
+#include "lumped/laws/law_card.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {

@@ -1,15 +1,17 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/report_error.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 
 namespace {
 
@@ -19,9 +21,13 @@ using namespace rebound;
 void declare_all(CLI::App& app, Session& session, Action& chosen) {
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
-    sub->add_flag_callback("--json", [&session] { session.format = OutputFormat::json; },
-                           "Print one JSON object on standard output");
+    sub->add_flag_callback(
+        "--json", [&session] { session.format = OutputFormat::json; },
+        "Print one JSON object on standard output");
     sub->add_option("--out", session.out, "Folder for results");
+    sub->add_option("--threads", session.threads,
+                    "Threads to work with; all processors where not given. Results do not depend "
+                    "on it");
     const Action action = command.declare(*sub);
     sub->callback([&chosen, action] { chosen = action; });
   }
@@ -56,6 +62,8 @@ int run(int argc, char** argv) {
     return report_error(Error(ExitCode::bad_input, message), wants_json());
   }
   try {
+    std::optional<ThreadLimit> limit;
+    if (app.get_subcommands().front()->count("--threads") > 0) limit.emplace(session.threads);
     return static_cast<int>(with_output_written(action(session)));
   } catch (const Error& error) {
     return report_error(error, session.json());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/config/document.hpp"
+#include "comparisons/io/toml/document.hpp"
 #include "lumped/problem/impact.hpp"
 
 namespace rebound {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "comparisons/accuracy/numerical_error/reference_impact.hpp"
 #include "comparisons/app/interruption.hpp"
-#include "comparisons/numerical_error/reference_impact.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {

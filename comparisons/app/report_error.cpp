@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "comparisons/results/json.hpp"
+#include "comparisons/io/results/json.hpp"
 
 namespace rebound {
 namespace {

@@ -1,15 +1,16 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/report/write_report.hpp"
-#include "comparisons/reproduce/report_sections.hpp"
-#include "comparisons/reproduce/reproduction.hpp"
-#include "comparisons/results/atomic_file.hpp"
+#include "comparisons/io/report/write_report.hpp"
+#include "comparisons/models/installation.hpp"
+#include "comparisons/studies/reproduce/report_sections.hpp"
+#include "comparisons/studies/reproduce/reproduction.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -26,7 +27,7 @@ std::string reproduce_help() {
 
 ExitCode run_reproduce(const Session& session, const std::string& data) {
   if (!session.out.empty()) make_writable_folder(session.out);
-  const std::filesystem::path folder = data.empty() ? paper_folder() : std::filesystem::path(data);
+  const std::filesystem::path folder = data.empty() ? data_folder() : std::filesystem::path(data);
   const Reproduction reproduction = reproduce(folder);
   Json json = to_json(reproduction);
   if (!session.out.empty()) {

@@ -1,22 +1,22 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/atlas/atlas_text.hpp"
-#include "comparisons/benchmark/benchmark_file.hpp"
-#include "comparisons/calibration/calibration_file.hpp"
-#include "comparisons/config/describe_compression.hpp"
-#include "comparisons/config/describe_fem.hpp"
-#include "comparisons/config/describe_lumped.hpp"
-#include "comparisons/config/schema_writer.hpp"
-#include "comparisons/convert/conversion_file.hpp"
-#include "comparisons/dataset/describe_dataset.hpp"
-#include "comparisons/dataset/published_values.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/selection/selection_file.hpp"
-#include "comparisons/synthesis/synthesis_file.hpp"
+#include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
+#include "comparisons/evaluation/atlas/atlas_text.hpp"
+#include "comparisons/evaluation/benchmark/benchmark_file.hpp"
+#include "comparisons/evaluation/convert/conversion_file.hpp"
+#include "comparisons/inference/calibration/calibration_file.hpp"
+#include "comparisons/inference/selection/selection_file.hpp"
+#include "comparisons/io/dataset/describe_dataset.hpp"
+#include "comparisons/io/dataset/published_values.hpp"
+#include "comparisons/io/toml/describe_compression.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/schema_writer.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {

@@ -1,17 +1,17 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/document.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/reader.hpp"
-#include "comparisons/references/read_references.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/selection/selection_file.hpp"
-#include "comparisons/selection/selection_text.hpp"
+#include "comparisons/inference/references/read_references.hpp"
+#include "comparisons/inference/selection/selection_file.hpp"
+#include "comparisons/inference/selection/selection_text.hpp"
+#include "comparisons/io/toml/document.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -27,7 +27,7 @@ ExitCode run_select(const Session& session, const std::string& path) {
   const Document document = Document::load(path);
   SelectionFile file;
   read_document(document, file);
-  std::vector<BenchmarkReference> references;
+  std::vector<MeasuredImpact> references;
   for (const auto& folder : file.references)
     for (auto& found : read_references(document.folder() / folder.folder))
       references.push_back(std::move(found));

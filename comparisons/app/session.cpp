@@ -1,6 +1,7 @@
 #include "comparisons/app/session.hpp"
 
-#include "comparisons/results/digest.hpp"
+#include "comparisons/io/results/digest.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
 
 namespace rebound {
 
@@ -9,6 +10,13 @@ Provenance provenance_of(const Session& session, const std::string& input_file,
   return {.command_line = session.command_line,
           .input_file = input_file,
           .input_sha256 = sha256(input)};
+}
+
+Provenance provenance_with_fem(const Session& session, const std::string& input_file,
+                               std::string_view input) {
+  Provenance provenance = provenance_of(session, input_file, input);
+  provenance.modules = {fem_tier().versions()};
+  return provenance;
 }
 
 std::string exit_code_help() {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "comparisons/results/provenance.hpp"
+#include "comparisons/io/results/provenance.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace CLI {
@@ -21,6 +21,7 @@ enum class OutputFormat { text, json };
 struct Session {
   OutputFormat format = OutputFormat::text;
   std::filesystem::path out;  ///< of --out; empty when not given
+  int threads = 0;            ///< of --threads; all processors where not given
   std::vector<std::string> command_line;
 
   bool json() const { return format == OutputFormat::json; }
@@ -35,6 +36,10 @@ using Declare = Action (*)(CLI::App&);
 /// Provenance of a run on `input_file`, whose text is `input`.
 Provenance provenance_of(const Session& session, const std::string& input_file,
                          std::string_view input);
+
+/// The same of a run that took the FE tier.
+Provenance provenance_with_fem(const Session& session, const std::string& input_file,
+                               std::string_view input);
 
 /// The exit codes, as printed by every --help.
 std::string exit_code_help();

@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <memory>
@@ -8,17 +8,17 @@
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/describe_fem.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/config/toml_writer.hpp"
-#include "comparisons/diagnosis/diagnosis_json.hpp"
-#include "comparisons/modules/module_loader.hpp"
-#include "comparisons/report/write_report.hpp"
-#include "comparisons/reproduce/report_sections.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/results/result_folder.hpp"
-#include "comparisons/study/study_json.hpp"
-#include "comparisons/study/study_report.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/io/report/write_report.hpp"
+#include "comparisons/io/results/result_folder.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
+#include "comparisons/studies/reproduce/report_sections.hpp"
+#include "comparisons/studies/study/study_json.hpp"
+#include "comparisons/studies/study/study_report.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -28,12 +28,12 @@ namespace {
 void write_core(const std::filesystem::path& folder, const CoreStudy& core,
                 const Provenance& provenance) {
   for (const auto& shot : core.shots) {
-    const auto place = folder / ("core-" + core.label) / fmt::format("fem-{:g}mps", shot.measured.speed);
+    const auto place =
+        folder / ("core-" + core.label) / fmt::format("fem-{:g}mps", shot.measured.impact.speed);
     std::filesystem::create_directories(place);
-    write_result({.folder = place,
-                  .effective_toml = write_toml(shot.problem),
-                  .provenance = provenance},
-                 shot.fem);
+    write_result(
+        {.folder = place, .effective_toml = write_toml(shot.problem), .provenance = provenance},
+        shot.fem);
   }
 }
 
@@ -46,7 +46,7 @@ void print_table(const std::vector<CoreStudy>& cores) {
       const auto row = [&](const std::string& law, const ImpactScalars& scalars,
                            const std::string& rms) {
         fmt::print("{:<30} {:>6g} {:>8.3f} {:>8.3f} {:>9.3f} {:>8.3f} {:>8.0f} {:>9}\n",
-                   core.label + "  " + law, shot.measured.speed, scalars.restitution,
+                   core.label + "  " + law, shot.measured.impact.speed, scalars.restitution,
                    *shot.measured.restitution.value, 1e3 * scalars.contact_time,
                    1e3 * *shot.measured.contact_time.value, scalars.peak_force, rms);
       };
@@ -57,7 +57,7 @@ void print_table(const std::vector<CoreStudy>& cores) {
           row(core.laws[l].label, cell.scalars, fmt::format("{:.1f}", 100 * cell.force_time_rms));
         else
           fmt::print("{:<30} {:>6g} {}\n", core.label + "  " + core.laws[l].label,
-                     shot.measured.speed, cell.failure);
+                     shot.measured.impact.speed, cell.failure);
       }
     }
 }
@@ -66,8 +66,8 @@ struct StudyRun {
   const StudyFile& study;
   std::filesystem::path out;
   Provenance provenance;
-  std::vector<report::Section> paper;  ///< what the printed numbers imply
-  std::vector<CoreStudy> cores;        ///< those that are complete
+  std::vector<report::Section> paper;        ///< what the printed numbers imply
+  std::vector<CoreStudy> cores;              ///< those that are complete
   std::vector<ExperimentStudy> experiments;  ///< likewise
 };
 
@@ -77,7 +77,8 @@ Json write_study(const StudyRun& run) {
   const auto page = run.out / "report.html";
   json["report"] = page.string();
   json["provenance"] = to_json(run.provenance);
-  report::write_report(study_report(run.study, run.cores, run.experiments, run.paper, run.provenance), page);
+  report::write_report(
+      study_report(run.study, run.cores, run.experiments, run.paper, run.provenance), page);
   write_file_atomically(run.out / "study.json", dump(json));
   return json;
 }
@@ -109,14 +110,15 @@ Json run_cores(StudyRun& run) {
     for (const StudyExperiment& experiment : run.study.experiments) {
       run.experiments.push_back(study_experiment(experiment, {.interrupted = whole.interrupted}));
       whole.progress((static_cast<double>(run.cores.size()) +
-                      experiment_share * static_cast<double>(run.experiments.size())) / count);
+                      experiment_share * static_cast<double>(run.experiments.size())) /
+                     count);
       json = write_study(run);
     }
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted) throw;
-    throw Error(ExitCode::interrupted,
-                fmt::format("interrupted; {}; the same command runs the study again",
-                            complete_cores(run)));
+    throw Error(
+        ExitCode::interrupted,
+        fmt::format("interrupted; {}; the same command runs the study again", complete_cores(run)));
   }
   return json;
 }
@@ -128,8 +130,7 @@ ExitCode run_study(const Session& session, const std::string& file) {
       session.out.empty() ? std::filesystem::path("results") / std::filesystem::path(file).stem()
                           : session.out;
   make_writable_folder(out);
-  Provenance provenance = provenance_of(session, file, document.text());
-  provenance.modules = {fem_tier().versions()};
+  const Provenance provenance = provenance_with_fem(session, file, document.text());
 
   StudyRun run{study, out, provenance, {}, {}, {}};
   if (!study.reproduce.empty()) run.paper = report_sections(reproduce(study.reproduce));
@@ -142,7 +143,8 @@ ExitCode run_study(const Session& session, const std::string& file) {
     for (const auto& core : run.cores)
       fmt::print("core {} against the paper's model: {}\n", core.label, headline(core.diagnosis));
     for (const auto& experiment : run.experiments)
-      fmt::print("{} ({}): {}\n", experiment.label, experiment.hidden, headline(experiment.diagnosis));
+      fmt::print("{} ({}): {}\n", experiment.label, experiment.hidden,
+                 headline(experiment.diagnosis));
     fmt::print("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
   }
   return ExitCode::done;
@@ -154,7 +156,8 @@ Action declare_study(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   command.add_option("FILE", *file, "Study file")->required();
   command.footer([] {
-    return "Without --out the results go to results/NAME of FILE's name.\n\nKeys of FILE (TOML):\n" +
+    return "Without --out the results go to results/NAME of FILE's name.\n\nKeys of FILE "
+           "(TOML):\n" +
            help_text<StudyFile>() + "\n" + exit_code_help();
   });
   return [file](const Session& session) { return run_study(session, *file); };

@@ -1,17 +1,17 @@
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/config/help_writer.hpp"
-#include "comparisons/dataset/write_dataset.hpp"
-#include "comparisons/modules/module_loader.hpp"
-#include "comparisons/results/atomic_file.hpp"
-#include "comparisons/synthesis/synthesize.hpp"
-#include "comparisons/synthesis/truth.hpp"
+#include "comparisons/discrepancy/synthesis/synthesize.hpp"
+#include "comparisons/discrepancy/synthesis/truth.hpp"
+#include "comparisons/io/dataset/write_dataset.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
+#include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
@@ -44,14 +44,16 @@ ExitCode run_synthesize(const Session& session, const SynthesizeOptions& options
   if (session.out.empty())
     throw Error(ExitCode::bad_input, "a synthetic experiment needs a folder to go to: give --out");
   if (options.sealed != !options.truth_file.empty())
-    throw Error(ExitCode::bad_input, "--seal and --truth FILE belong together: a sealed truth needs "
-                                     "a place of its own");
+    throw Error(ExitCode::bad_input,
+                "--seal and --truth FILE belong together: a sealed truth needs "
+                "a place of its own");
   const Document document = Document::load(options.file);
   const SynthesisFile file = read_synthesis(document);
   make_writable_folder(session.out);
   const Synthesis made = make(document, file);
-  Provenance provenance = provenance_of(session, options.file, document.text());
-  if (file.tier == Tier::fem) provenance.modules = {fem_tier().versions()};
+  const Provenance provenance = file.tier == Tier::fem
+                                    ? provenance_with_fem(session, options.file, document.text())
+                                    : provenance_of(session, options.file, document.text());
   Json truth = truth_json(file, document.text(), made);
   truth["provenance"] = to_json(provenance);
 
@@ -77,7 +79,8 @@ ExitCode run_synthesize(const Session& session, const SynthesizeOptions& options
 
 Action declare_synthesize(CLI::App& command) {
   const auto options = std::make_shared<SynthesizeOptions>();
-  command.add_option("FILE", options->file, "Synthesis file: a model, effects, an instrument, shots")
+  command
+      .add_option("FILE", options->file, "Synthesis file: a model, effects, an instrument, shots")
       ->required();
   command.add_flag("--seal", options->sealed, "Keep the truth out of --out; leave its hash there");
   command.add_option("--truth", options->truth_file, "Where a sealed truth goes");

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
-#include "lumped/problem/adhesive_traction.hpp"
+#include "fem/interface/adhesive_traction.hpp"
 
 namespace rebound::fem {
 

@@ -40,8 +40,8 @@ double MovingPlate::solve_velocity(const std::vector<double>& displacement, doub
   return plate;
 }
 
-PlateStep MovingPlate::hold_back(const std::vector<double>& displacement,
-                                 std::vector<double>& velocity, const StepSpan& span) {
+PlateStep MovingPlate::apply_contact(const std::vector<double>& displacement,
+                                     std::vector<double>& velocity, const StepSpan& span) {
   PlateStep step;
   velocity_before_step_ = velocity_;
   step.pull = attract(displacement, displacement_, span, velocity);
@@ -55,30 +55,28 @@ PlateStep MovingPlate::hold_back(const std::vector<double>& displacement,
     const double impulse = contact.mass * (held - v);
     step.impulse += impulse;
     step.constraint_work += 0.5 * impulse * (velocity_before_[i] + held);
-    step.contact_radius =
-        std::max(step.contact_radius, contact.r + displacement[2 * contact.node]);
+    step.contact_radius = std::max(step.contact_radius, contact.r + displacement[2 * contact.node]);
     v = held;
     rub(i, impulse, velocity, step);
   }
   const double mean_velocity = 0.5 * (velocity_before_step_ + velocity_);
   step.constraint_work += step.impulse * mean_velocity;
-  middle_before_ =
-      displacement_ - 0.5 * (2.0 * span.kick - span.drift) * velocity_before_step_;
+  middle_before_ = displacement_ - 0.5 * (2.0 * span.kick - span.drift) * velocity_before_step_;
   middle_after_ = displacement_ + 0.5 * span.drift * velocity_;
   damper_last_ = span.kick * damping_ * mean_velocity * mean_velocity;
   damper_ += damper_last_;
-  step.reading = span.kick * (stiffness_ * 0.5 * (middle_before_ + middle_after_) +
-                              damping_ * mean_velocity);
+  step.reading =
+      span.kick * (stiffness_ * 0.5 * (middle_before_ + middle_after_) + damping_ * mean_velocity);
   return step;
 }
 
 PlateState MovingPlate::state() const {
   return {.displacement = displacement_,
           .velocity = velocity_,
-          .kinetic = 0.25 * mass_ * (velocity_before_step_ * velocity_before_step_ +
-                                     velocity_ * velocity_),
-          .spring = 0.25 * stiffness_ *
-                    (middle_before_ * middle_before_ + middle_after_ * middle_after_),
+          .kinetic = 0.25 * mass_ *
+                     (velocity_before_step_ * velocity_before_step_ + velocity_ * velocity_),
+          .spring =
+              0.25 * stiffness_ * (middle_before_ * middle_before_ + middle_after_ * middle_after_),
           .damper = damper_ - 0.5 * damper_last_};
 }
 

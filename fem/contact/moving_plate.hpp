@@ -33,10 +33,11 @@ namespace rebound::fem {
 /// Source:  Hallquist et al. as RigidPlate; trapezoidal rule: Newmark 1959.
 class MovingPlate final : public PlateContact {
  public:
-  MovingPlate(const Discretisation& body, const Plate& plate, const AdhesiveTraction& adhesion = {});
+  MovingPlate(const Discretisation& body, const Plate& plate,
+              const AdhesiveTraction& adhesion = {});
 
-  PlateStep hold_back(const std::vector<double>& displacement, std::vector<double>& velocity,
-                      const StepSpan& span) override;
+  PlateStep apply_contact(const std::vector<double>& displacement, std::vector<double>& velocity,
+                          const StepSpan& span) override;
   void drift(double span) override { displacement_ += span * velocity_; }
   PlateState state() const override;
 
@@ -53,12 +54,12 @@ class MovingPlate final : public PlateContact {
                         const std::vector<double>& velocity, const StepSpan& span) const;
 
   double mass_, stiffness_, damping_;
-  double displacement_ = 0.0;      ///< yₙ
-  double velocity_ = 0.0;          ///< V₊, V₋ before hold_back
+  double displacement_ = 0.0;  ///< yₙ
+  double velocity_ = 0.0;      ///< V₊, V₋ before apply_contact
   double velocity_before_step_ = 0.0;
   double middle_before_ = 0.0, middle_after_ = 0.0;  ///< ȳ₋, ȳ₊
-  double damper_ = 0.0;            ///< dissipated up to half a step after tₙ [J]
-  double damper_last_ = 0.0;       ///< of that, over the last kick
+  double damper_ = 0.0;       ///< dissipated up to half a step after tₙ [J]
+  double damper_last_ = 0.0;  ///< of that, over the last kick
 };
 
 }  // namespace rebound::fem

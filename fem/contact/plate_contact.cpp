@@ -41,8 +41,7 @@ double PlateContact::attract(const std::vector<double>& displacement, double pla
 double PlateContact::potential(const std::vector<double>& displacement, double plate) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    sum += adhesion_->potential(
-        i, nodes_[i].z + displacement[2 * nodes_[i].node + 1] + plate);
+    sum += adhesion_->potential(i, nodes_[i].z + displacement[2 * nodes_[i].node + 1] + plate);
   return sum;
 }
 

@@ -36,7 +36,7 @@ struct PlateState {
 /// A body that has left the plate, or only seems to have.
 struct Departure {
   double speed = 0.0;      ///< of its centre of mass, away from the plate [m/s]
-  double vibration = 0.0;  ///< largest distance its surface may swing towards the plate [m]
+  double vibration = 0.0;  ///< largest distance its surface may amplitude towards the plate [m]
   double horizon = 0.0;    ///< how far ahead a new contact counts [s]
 };
 
@@ -74,8 +74,8 @@ class PlateContact {
 
   /// Corrects `velocity` of the nodes that would penetrate. Displacement and
   /// velocity are [node][2] (r, z).
-  virtual PlateStep hold_back(const std::vector<double>& displacement,
-                              std::vector<double>& velocity, const StepSpan& span) = 0;
+  virtual PlateStep apply_contact(const std::vector<double>& displacement,
+                                  std::vector<double>& velocity, const StepSpan& span) = 0;
 
   /// Moves the plate itself over the step.
   virtual void drift(double) {}
@@ -97,7 +97,7 @@ class PlateContact {
     int node;
     double r, z, mass;
   };
-  /// Friction on contact node `i`, pushed by `impulse`; books it in `step`.
+  /// Friction on contact node `i`, pushed by `impulse`; adds it to `step`.
   void rub(std::size_t i, double impulse, std::vector<double>& velocity, PlateStep& step) const;
 
   /// Adhesion over the step, into `velocity`; the plate's surface is at z = −`plate`. [N s]

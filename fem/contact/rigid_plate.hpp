@@ -15,7 +15,7 @@ namespace rebound::fem {
 ///
 /// The force is zero unless the node would penetrate, so the plate can only
 /// push. Catching a moving node is a plastic impact of its lumped mass: the
-/// energy lost is booked as constraint work, and vanishes with the cell size
+/// energy lost is counted as constraint work, and vanishes with the cell size
 /// -> test ImpactConvergence.ConstraintWorkFalls.
 /// Caution: force is resolved to one node spacing of the contact front; the
 ///          trace carries a ripple that falls with the cell size.
@@ -25,8 +25,8 @@ class RigidPlate final : public PlateContact {
  public:
   using PlateContact::PlateContact;
 
-  PlateStep hold_back(const std::vector<double>& displacement, std::vector<double>& velocity,
-                      const StepSpan& span) override;
+  PlateStep apply_contact(const std::vector<double>& displacement, std::vector<double>& velocity,
+                          const StepSpan& span) override;
 
   /// Clear when it moves away and its gap exceeds its vibration.
   bool is_clear_of(const std::vector<double>& displacement, const Departure& body) const override;

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "fem/interface/fem_problem.hpp"
 #include "fem/kernel/cell_kernel.hpp"
 #include "fem/materials/viscoelastic_constants.hpp"
-#include "lumped/problem/fem_problem.hpp"
-#include "lumped/problem/mesh.hpp"
+#include "meshes/mesh.hpp"
 
 namespace rebound::fem {
 
@@ -33,9 +33,9 @@ struct Discretisation {
   std::vector<std::array<double, 2>> position;  ///< at rest, (r, z) [m]
   std::vector<double> mass;                     ///< per node [kg]
   std::vector<int> axis_nodes;
-  std::vector<int> contact_nodes;               ///< ascending radius
-  std::vector<double> contact_area;             ///< ∮ 2πR N ds at rest, per contact node [m²]
-  double density = 0.0;                         ///< [kg/m³]
+  std::vector<int> contact_nodes;    ///< ascending radius
+  std::vector<double> contact_area;  ///< ∮ 2πR N ds at rest, per contact node [m²]
+  double density = 0.0;              ///< [kg/m³]
 
   int node_count() const { return static_cast<int>(position.size()); }
 };

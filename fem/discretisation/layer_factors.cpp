@@ -8,9 +8,9 @@ namespace rebound::fem {
 PointFactors layer_factors(const Discretisation& body, const std::vector<RadialLayer>& layers) {
   PointFactors factors;
   if (layers.empty()) return factors;
-  const auto [low, high] = std::minmax_element(
-      body.position.begin(), body.position.end(),
-      [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  const auto [low, high] =
+      std::minmax_element(body.position.begin(), body.position.end(),
+                          [](const auto& a, const auto& b) { return a[1] < b[1]; });
   const double centre = 0.5 * ((*low)[1] + (*high)[1]), radius = 0.5 * ((*high)[1] - (*low)[1]);
   for (const auto& cell : body.cells) {
     auto& at = factors.emplace_back();

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <vector>
 
-#include "fem/implicit/body_forces.hpp"
-#include "lumped/problem/adhesive_traction.hpp"
+#include "fem/implicit/system_matrix.hpp"
+#include "fem/interface/adhesive_traction.hpp"
 
 namespace rebound::fem {
 
@@ -18,9 +16,7 @@ namespace rebound::fem {
 /// Limit: f is the gradient of the potential -> test AdhesiveSidesTest
 class AdhesiveSides {
  public:
-  /// `pattern` of the matrices that `linearise` is given.
-  AdhesiveSides(const QuadraticBody& body, const AdhesiveTraction& traction,
-                const SystemMatrix& pattern);
+  AdhesiveSides(const QuadraticBody& body, const AdhesiveTraction& traction);
 
   void add_forces(const Eigen::VectorXd& u, Eigen::VectorXd& force) const;
   void add_derivative(const Eigen::VectorXd& u, SystemMatrix& matrix) const;
@@ -31,21 +27,12 @@ class AdhesiveSides {
   }
 
  private:
-  struct Point {
-    std::array<int, 3> unknown{};     ///< u_z of the side's nodes
-    std::array<double, 3> shape{};
-    std::array<int, 6> place{};       ///< in the matrix, lower triangle row by row
-    double height = 0.0;              ///< at rest [m]
-    double area = 0.0;                ///< [m²]
-  };
-  /// 1 − g/r, or 0 beyond the range.
-  double fade(const Point& point, const Eigen::VectorXd& u) const;
-  /// 1 where the traction falls with the gap, 0 where it is constant or gone.
-  double falls(const Point& point, const Eigen::VectorXd& u) const;
-  double gap(const Point& point, const Eigen::VectorXd& u) const;
+  /// Calls use(side, point, g/r) at every point.
+  template <class Use>
+  void each_point(const Eigen::VectorXd& u, const Use& use) const;
 
+  const QuadraticBody& body_;
   AdhesiveTraction traction_;
-  std::vector<Point> points_;
   double potential_at_rest_ = 0.0;
 };
 

@@ -1,27 +1,24 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "fem/implicit/active_set.hpp"
 #include "fem/implicit/body_forces.hpp"
-#include "fem/implicit/held_nodes.hpp"
 
 namespace rebound::fem {
 
 /// What Newton's method is to bring to zero, and what holds beside it.
 struct EquilibriumTask {
-  /// Residual at u, and its derivative (lower triangle).
+  /// Residual at u, and its derivative.
   std::function<BodyForces::Outcome(const Eigen::VectorXd& u, Eigen::VectorXd& residual,
                                     SystemMatrix& matrix)>
       linearise;
   double force_scale = 0.0;  ///< residuals are small against this [N]
   double rounding = 0.0;     ///< what rounding leaves of a residual [N]
-  /// Unknowns with given values.
-  std::vector<std::pair<int, double>> prescribed{};
+  ConstrainedSolver::Given prescribed{};
   /// A load of known direction and unknown size F, and what F works on:
   /// residual + F · load = 0 with load · u = travel. Empty: none.
   Eigen::VectorXd load{};
@@ -35,7 +32,8 @@ struct EquilibriumTask {
 /// of the scale (or is rounding) and the active set stands still.
 class EquilibriumSearch {
  public:
-  EquilibriumSearch(const QuadraticBody& body, const SystemMatrix& pattern);
+  /// `like`: a matrix of the body.
+  EquilibriumSearch(const QuadraticBody& body, const SystemMatrix& like);
 
   struct Result {
     bool converged = false;
@@ -45,24 +43,21 @@ class EquilibriumSearch {
     std::string failure;
   };
   /// Changes u and the active set; `reaction` is what holds them [N].
-  Result solve(const EquilibriumTask& task, Eigen::VectorXd& u, HeldNodes& held,
+  Result solve(const EquilibriumTask& task, Eigen::VectorXd& u, ActiveSet& held,
                Eigen::VectorXd& reaction);
 
-  long factorisations() const { return factorisations_; }
-
  private:
-  void mark_fixed(const EquilibriumTask& task, const Eigen::VectorXd& u, const HeldNodes& held);
-  double free_norm(const Eigen::VectorXd& residual) const;
+  void fix(const EquilibriumTask& task, const Eigen::VectorXd& u, const ActiveSet& held);
+  double free_norm() const;
   double largest_miss() const;
   bool solve_change(const EquilibriumTask& task, const Eigen::VectorXd& u, Result& result);
 
-  std::vector<int> axis_unknowns_;
+  std::vector<int> axis_nodes_;
   double reach_;
   SystemMatrix matrix_;
-  Eigen::SimplicialLDLT<SystemMatrix, Eigen::Lower> solver_;
-  std::vector<char> fixed_;
-  Eigen::VectorXd residual_, change_, given_, along_load_;
-  long factorisations_ = 0;
+  ConstrainedSolver solver_;
+  ConstrainedSolver::Given fixed_;  ///< changes that are known
+  Eigen::VectorXd residual_, change_;
 };
 
 }  // namespace rebound::fem

@@ -1,6 +1,5 @@
 #include "fem/implicit/implicit_fields.hpp"
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -13,11 +12,10 @@ std::vector<int> contact_nodes_of(const QuadraticBody& body) {
   return nodes;
 }
 
-std::vector<std::array<int, 4>> corners_of(const QuadraticBody& body) {
-  std::vector<std::array<int, 4>> corners;
-  for (const QuadraticCell& cell : body.cells)
-    corners.push_back({cell.nodes[0], cell.nodes[1], cell.nodes[2], cell.nodes[3]});
-  return corners;
+std::vector<std::array<int, 2>> side_ends_of(const QuadraticBody& body) {
+  std::vector<std::array<int, 2>> ends;
+  for (const ContactSide& side : body.contact_sides) ends.push_back({side.nodes[0], side.nodes[1]});
+  return ends;
 }
 
 /// Nine-node cells for ParaView, each as four quarters for the report.
@@ -55,53 +53,34 @@ Gradient<double> sum(const Gradient<double>& a, const Gradient<double>& b, doubl
 
 }  // namespace
 
-std::unique_ptr<ImplicitFields> ImplicitFields::asked_for(const FemProblem& problem,
-                                                          const QuadraticBody& body,
-                                                          const BodyForces& forces,
-                                                          double expected_contact) {
-  if (!FrameKeeper::asked_for(problem.controls)) return nullptr;
-  return std::unique_ptr<ImplicitFields>(
-      new ImplicitFields(problem, body, forces, expected_contact));
-}
-
 ImplicitFields::ImplicitFields(const FemProblem& problem, const QuadraticBody& body,
                                const BodyForces& forces, double expected_contact)
     : body_(body),
       forces_(forces),
       loss_(loss_of(forces.law().constants())),
       push_before_(Eigen::VectorXd::Zero(forces.size())),
-      pressure_(contact_edges(corners_of(body), contact_nodes_of(body)), body.position,
-                pressure_window * expected_contact),
+      pressure_(side_ends_of(body), body.position, pressure_window * expected_contact),
       frames_(problem.controls, drawing_of(body), expected_contact) {
   for (const QuadraticCell& cell : body.cells)
     for (const auto& point : cell.points)
-      points_.push_back({.deformation = {1.0, 0.0, 0.0, 1.0, 1.0}, .piola = {}, .volume = point.weight});
-  const std::vector<int> list = contact_nodes_of(body);
-  const std::set<int> touching(list.begin(), list.end());
-  std::set<int> middle_nodes;
-  for (const QuadraticCell& cell : body.cells)
-    for (int side = 0; side < 4; ++side) {
-      const std::array<int, 2> ends{cell.nodes[side], cell.nodes[(side + 1) % 4]};
-      const int middle = cell.nodes[4 + side];
-      if (!touching.contains(middle)) continue;
-      middles_.push_back({middle, ends});
-      middle_nodes.insert(middle);
-    }
-  for (const int node : list)
-    if (!middle_nodes.contains(node)) corners_.push_back(node);
+      points_.push_back(
+          {.deformation = {1.0, 0.0, 0.0, 1.0, 1.0}, .piola = {}, .volume = point.weight});
+  std::set<int> corners;
+  for (const ContactSide& side : body.contact_sides) corners.insert({side.nodes[0], side.nodes[1]});
+  corners_.assign(corners.begin(), corners.end());
 }
 
 void ImplicitFields::see(const Eigen::VectorXd& displacement) {
   std::size_t index = 0;
-  forces_.each_point(displacement, [&](const Gradient<double>& f, const Symmetric<double>& stress,
-                                       double stored) {
-    PointState& point = points_[index++];
-    const Gradient<double> piola = first_piola(f, stress);
-    point.work += 0.5 * product(sum(piola, point.piola, 1.0), sum(f, point.deformation, -1.0));
-    point.deformation = f;
-    point.piola = piola;
-    point.stored = stored;
-  });
+  forces_.each_point(
+      displacement, [&](const Gradient<double>& f, const Symmetric<double>& stress, double stored) {
+        PointState& point = points_[index++];
+        const Gradient<double> piola = first_piola(f, stress);
+        point.work += 0.5 * product(sum(piola, point.piola, 1.0), sum(f, point.deformation, -1.0));
+        point.deformation = f;
+        point.piola = piola;
+        point.stored = stored;
+      });
 }
 
 void ImplicitFields::press(const Eigen::VectorXd& push, const StepEnd& end) {
@@ -109,16 +88,16 @@ void ImplicitFields::press(const Eigen::VectorXd& push, const StepEnd& end) {
     return 0.5 * end.step * (push_before_[2 * node + 1] + push[2 * node + 1]);
   };
   for (const int node : corners_) pressure_.add(node, impulse(node));
-  for (const Middle& middle : middles_)
-    for (const int side_end : middle.ends) pressure_.add(side_end, 0.5 * impulse(middle.node));
+  for (const ContactSide& side : body_.contact_sides)
+    for (const int i : {0, 1}) pressure_.add(side.nodes[i], 0.5 * impulse(side.nodes[2]));
   pressure_.pass(end.time);
   push_before_ = push;
 }
 
 std::vector<double> ImplicitFields::nodal_pressure(const std::vector<double>& displacement) const {
   std::vector<double> pressure = pressure_.pressure(displacement);
-  for (const Middle& middle : middles_)
-    pressure[middle.node] = 0.5 * (pressure[middle.ends[0]] + pressure[middle.ends[1]]);
+  for (const ContactSide& side : body_.contact_sides)
+    pressure[side.nodes[2]] = 0.5 * (pressure[side.nodes[0]] + pressure[side.nodes[1]]);
   return pressure;
 }
 

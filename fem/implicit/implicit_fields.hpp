@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
 #include "fem/implicit/body_forces.hpp"
@@ -13,17 +12,14 @@ namespace rebound::fem {
 /// What an implicit run shows of its inside: the same fields under the same names as
 /// an explicit one (fem/output), on nine-node cells.
 ///
-/// Work is summed at the points as the energy book sums it at the nodes. Forces of
+/// Work is summed at the points as the energy balance sums it at the nodes. Forces of
 /// the plate on middle nodes are given to both ends of their side by halves: a middle
 /// node's shape function holds half of each end's linear one, so pressure is linear
 /// along a side and its integral the force, to rounding.
 class ImplicitFields {
  public:
-  /// Null when the problem asks for none.
-  static std::unique_ptr<ImplicitFields> asked_for(const FemProblem& problem,
-                                                   const QuadraticBody& body,
-                                                   const BodyForces& forces,
-                                                   double expected_contact);
+  ImplicitFields(const FemProblem& problem, const QuadraticBody& body, const BodyForces& forces,
+                 double expected_contact);
 
   /// Sees the end of a step, before the branches move there.
   void see(const Eigen::VectorXd& displacement);
@@ -38,21 +34,12 @@ class ImplicitFields {
   const ShapeHistory& shapes() const { return frames_.shapes(); }
 
  private:
-  ImplicitFields(const FemProblem& problem, const QuadraticBody& body, const BodyForces& forces,
-                 double expected_contact);
   std::vector<double> nodal_pressure(const std::vector<double>& displacement) const;
-
-  /// A contact node in the middle of a side, and the ends of the side.
-  struct Middle {
-    int node = 0;
-    std::array<int, 2> ends{};
-  };
 
   const QuadraticBody& body_;
   const BodyForces& forces_;
   Loss loss_;
   std::vector<PointState> points_;  ///< [cell][point]
-  std::vector<Middle> middles_;
   std::vector<int> corners_;        ///< contact nodes at the ends of sides
   Eigen::VectorXd push_before_;
   ContactPressure pressure_;

@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
-#include "fem/contact/adhesive_range.hpp"
+#include "fem/impact/energy_check.hpp"
+#include "fem/impact/impact_conclusion.hpp"
+#include "fem/impact/impact_recorder.hpp"
+#include "fem/impact/residual_vibration.hpp"
+#include "fem/impact/timed_impact.hpp"
 #include "fem/implicit/adhesive_sides.hpp"
 #include "fem/implicit/equilibrium.hpp"
 #include "fem/implicit/implicit_fields.hpp"
 #include "fem/implicit/separation_time.hpp"
-#include "fem/schemes/energy_balance.hpp"
-#include "fem/schemes/impact_conclusion.hpp"
-#include "fem/schemes/impact_limits.hpp"
-#include "fem/schemes/impact_recorder.hpp"
-#include "fem/schemes/surface_swing.hpp"
-#include "fem/schemes/timed_impact.hpp"
+#include "fem/interface/adhesive_range.hpp"
+#include "fem/interface/check_problem.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
@@ -47,7 +46,7 @@ class ImplicitImpact {
   void accept(double step, MotionState next);
   void show_to_fields(double step, const MotionState& next);
   void sample();
-  void book(EnergyBook& book) const;
+  void fill(EnergyBalance& balance) const;
   bool contact_is_over() const;
   FemResult finish(std::string incomplete_because);
   void conclude(FemResult& result) const;
@@ -58,15 +57,15 @@ class ImplicitImpact {
   AdhesiveTraction traction_;  ///< its range chosen
   std::optional<AdhesiveSides> adhesion_;
   EquilibriumSearch search_;
-  HeldNodes held_;
+  ActiveSet held_;
   std::vector<int> massless_;  ///< unknowns without inertia
   MotionState now_;
   Eigen::VectorXd last_change_;
   double expected_time_, end_time_, interval_;
   int steps_per_sample_;
   ImpactRecorder recorder_;
-  std::unique_ptr<ImplicitFields> fields_;  ///< null: none asked for
-  EnergyBook book_;
+  std::optional<ImplicitFields> fields_;  ///< where they are asked for
+  EnergyBalance energies_;
   std::string failure_;
   int pole_ = 0;
   long steps_ = 0;
@@ -75,7 +74,7 @@ class ImplicitImpact {
   SeparationTime separation_;  ///< of the plate's push, adhesion not in it
   double pull_ = 0.0;          ///< of adhesion [N]
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
-  EnergyBalance balance_;
+  EnergyCheck balance_;
 };
 
 ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
@@ -83,18 +82,19 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
       forces_(body_, problem.material, ContactInertia::removed),
       traction_(chosen_adhesion(problem, forces_.law().constants().instantaneous)),
-      search_(body_, forces_.empty_matrix()),
+      search_(body_, forces_.mass()),
       held_(body_),
       expected_time_(expected_contact_time(problem, forces_.law().constants().instantaneous)),
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
       interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200),
       recorder_(interval_, expected_time_),
-      fields_(ImplicitFields::asked_for(problem, body_, forces_, expected_time_)),
       balance_(0.5 * problem.sphere.mass * problem.impact.speed * problem.impact.speed) {
   const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
   steps_per_sample_ = std::max(1, static_cast<int>(std::ceil(interval_ / asked - 1e-9)));
   smallest_step_ = interval_ / steps_per_sample_;
+  if (FrameKeeper::is_requested(problem.controls))
+    fields_.emplace(problem, body_, forces_, expected_time_);
   const int size = forces_.size();
   for (Eigen::VectorXd* field : {&now_.u, &now_.v, &now_.a, &now_.force, &now_.reaction})
     field->setZero(size);
@@ -107,7 +107,7 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
   for (const int unknown : massless_) now_.a[unknown] = 0.0;
   last_change_.setZero(size);
   if (traction_.acts()) {
-    adhesion_.emplace(body_, traction_, forces_.empty_matrix());
+    adhesion_.emplace(body_, traction_);
     adhesion_->add_forces(now_.u, now_.force);
     pull_ = adhesion_->pull(now_.u);
   }
@@ -120,25 +120,25 @@ EquilibriumTask ImplicitImpact::task_of(double step) const {
   const Eigen::VectorXd carried =
       (1.0 - W::mass) * (per_change * (now_.u + step * now_.v) + (0.5 / W::beta - 1.0) * now_.a) -
       W::mass * now_.a;
-  const Eigen::VectorXd fixed_part =
-      (W::force / (1.0 - W::force)) * (now_.force - now_.reaction) -
-      forces_.times_mass(carried) / (1.0 - W::force);
+  const Eigen::VectorXd fixed_part = (W::force / (1.0 - W::force)) * (now_.force - now_.reaction) -
+                                     forces_.mass().times(carried) / (1.0 - W::force);
   const double inertia = (1.0 - W::mass) * per_change / (1.0 - W::force);
   const double weight = problem_.gravity / (1.0 - W::force);
   EquilibriumTask task;
   task.linearise = [this, fixed_part = Eigen::VectorXd(fixed_part + weight * forces_.axial_mass()),
                     inertia](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
-                                               SystemMatrix& matrix) {
-    const auto outcome = forces_.linearise(u, {.stiffness = 1.0, .mass = inertia}, residual, matrix);
+                             SystemMatrix& matrix) {
+    const auto outcome = forces_.linearise(u, inertia, residual, matrix);
     if (adhesion_) {
       adhesion_->add_forces(u, residual);
       adhesion_->add_derivative(u, matrix);
     }
-    residual += fixed_part + inertia * forces_.times_mass(u);
+    residual += fixed_part + inertia * forces_.mass().times(u);
     return outcome;
   };
   // The mean force of a contact, as a yardstick while there is none yet.
-  task.force_scale = std::max(now_.force.norm(), 1e-2 * body_.mass * problem_.impact.speed / expected_time_);
+  task.force_scale =
+      std::max(now_.force.norm(), 1e-2 * body_.mass * problem_.impact.speed / expected_time_);
   task.rounding = forces_.rounding();
   return task;
 }
@@ -147,12 +147,13 @@ EquilibriumTask ImplicitImpact::task_of(double step) const {
 bool ImplicitImpact::advance(double step, int cuts) {
   using W = TimeWeights;
   forces_.law().set_step(step);
-  const HeldNodes held_before = held_;
+  const ActiveSet held_before = held_;
   MotionState next{.u = now_.u + step * now_.v + (0.5 * step * step) * now_.a};
   for (const int unknown : massless_) next.u[unknown] = now_.u[unknown] + last_change_[unknown];
   const auto found = search_.solve(task_of(step), next.u, held_, next.reaction);
   if (found.converged) {
-    next.a = (next.u - now_.u - step * now_.v) / (W::beta * step * step) - (0.5 / W::beta - 1.0) * now_.a;
+    next.a = (next.u - now_.u - step * now_.v) / (W::beta * step * step) -
+             (0.5 / W::beta - 1.0) * now_.a;
     next.v = now_.v + step * ((1.0 - W::gamma) * now_.a + W::gamma * next.a);
     for (const int unknown : massless_) {
       next.a[unknown] = 0.0;
@@ -203,36 +204,37 @@ void ImplicitImpact::accept(double step, MotionState next) {
   if (fields_) fields_->show(now_.time, now_.u, now_.v);
 }
 
-void ImplicitImpact::book(EnergyBook& book) const {
-  const double kinetic = 0.5 * now_.v.dot(forces_.times_mass(now_.v));
+void ImplicitImpact::fill(EnergyBalance& balance) const {
+  const double kinetic = 0.5 * now_.v.dot(forces_.mass().times(now_.v));
   const double speed = forces_.axial_mass().dot(now_.v) / body_.mass;
-  book.kinetic_centre_of_mass = 0.5 * body_.mass * speed * speed;
-  book.kinetic_vibration = kinetic - book.kinetic_centre_of_mass;
-  book.stored = forces_.stored_energy(now_.u);
-  book.adhesion = adhesion_ ? adhesion_->energy(now_.u) : 0.0;
-  book.branches =
-      forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - book.stored - book.adhesion;
-  book.contact_constraint = -constraint_work_;
-  book.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
+  balance.kinetic_centre_of_mass = 0.5 * body_.mass * speed * speed;
+  balance.kinetic_vibration = kinetic - balance.kinetic_centre_of_mass;
+  balance.stored = forces_.stored_energy(now_.u);
+  balance.adhesion = adhesion_ ? adhesion_->energy(now_.u) : 0.0;
+  balance.branches =
+      forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - balance.stored - balance.adhesion;
+  balance.contact_constraint = -constraint_work_;
+  balance.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
 }
 
 void ImplicitImpact::sample() {
-  book(book_);
-  balance_.check(book_);
+  fill(energies_);
+  balance_.check(energies_);
   recorder_.add_sample({.deflection = -forces_.axial_mass().dot(now_.u) / body_.mass,
                         .pole_deflection = -now_.u[2 * pole_ + 1],
                         .contact_radius = contact_radius_,
                         .plate_displacement = 0.0},
-                       book_);
+                       energies_);
 }
 
 bool ImplicitImpact::contact_is_over() const {
   const double last = separation_.found();
   if (last == 0.0 || held_.any() || now_.time < 1.02 * last) return false;
-  const double swing = surface_swing(
-      book_, forces_.law().constants(),
+  const double amplitude = residual_vibration_amplitude(
+      energies_, forces_.law().constants(),
       {.mass = body_.mass, .density = body_.density, .radius = problem_.sphere.radius()});
-  return forces_.axial_mass().dot(now_.v) > 0.0 && held_.gap(now_.u) > swing + traction_.reach();
+  return forces_.axial_mass().dot(now_.v) > 0.0 &&
+         held_.gap(now_.u) > amplitude + traction_.reach();
 }
 
 FemResult ImplicitImpact::run(const RunControl& control) {
@@ -281,26 +283,16 @@ void ImplicitImpact::conclude(FemResult& result) const {
                    .initial_kinetic = balance_.brought(),
                    .energy_error = balance_.worst(),
                    .contact_radius_peak = contact_radius_peak_,
-                   .energies = book_},
+                   .energies = energies_},
                   result);
-}
-
-void refuse(const char* key, const char* what) {
-  throw Error(ExitCode::bad_input,
-              std::string("the implicit scheme has no ") + what + "; take scheme = \"explicit\"",
-              {.key = key});
-}
-
-void check_scheme(const FemProblem& problem) {
-  if (problem.plate.moves()) refuse("model.plate.stiffness", "plate that moves");
-  if (problem.plate.friction != 0.0) refuse("model.plate.friction", "friction");
 }
 
 }  // namespace
 
-FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem, const RunControl& control) {
-  check_problem(problem);
-  check_scheme(problem);
+FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem,
+                              const RunControl& control) {
+  check(problem);
+  check_implicit(problem);
   return timed_impact<ImplicitImpact>(control, mesh, problem);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "lumped/problem/fem_problem.hpp"
-#include "lumped/problem/mesh.hpp"
-#include "lumped/problem/result.hpp"
+#include "fem/interface/fem_problem.hpp"
+#include "fem/interface/fem_result.hpp"
 #include "lumped/problem/run_control.hpp"
+#include "meshes/mesh.hpp"
 
 namespace rebound::fem {
 
@@ -24,13 +24,14 @@ namespace rebound::fem {
 /// Hertz contact time times `step_safety`/0.9; a step that does not converge is
 /// cut in halves, six times at most.
 ///
-/// Result: as run_explicit_impact. Energy lost to the integrator is not booked:
+/// Result: as run_explicit_impact. Energy lost to the integrator is not counted:
 ///        it is what `closures.energy` shows.
 /// Limit: elastic impact at low speed is Hertz with the finite-sphere
-///        correction, time order 2 -> tests TwoSchemes, RungA.
+///        correction, time order 2 -> tests TwoSchemes, VerificationCaseA.
 /// Errors: Error(bad_input) as run_explicit_impact, and for a plate that moves or
 ///        rubs, which this scheme does not have.
 /// Source: Chung & Hulbert 1993.
-FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem, const RunControl& control);
+FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem,
+                              const RunControl& control);
 
 }  // namespace rebound::fem

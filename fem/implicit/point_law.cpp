@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "fem/interface/check_material.hpp"
 #include "fem/materials/with_elastic.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -37,19 +38,19 @@ void weigh(Symmetric<T>& sum, double weight, const Symmetric<T>& part) {
   sum.rz += weight * part.rz;
 }
 
-Eigen::Vector4d vector_of(const Symmetric<double>& s) { return {s.rr, s.zz, s.tt, s.rz}; }
+Eigen::Vector4d vector_of(const Symmetric<double>& s) {
+  return {s.rr, s.zz, s.tt, s.rz};
+}
 
-Symmetric<double> tensor_of(const Eigen::Vector4d& v) { return {v[0], v[1], v[2], v[3]}; }
+Symmetric<double> tensor_of(const Eigen::Vector4d& v) {
+  return {v[0], v[1], v[2], v[3]};
+}
 
 }  // namespace
 
 PointLaw::PointLaw(const Material& material)
     : constants_(viscoelastic_constants(material)), updates_(constants_.branches.size()) {
-  if (constants_.inelastic.acts || !constants_.layers.empty())
-    throw Error(ExitCode::bad_input,
-                "the implicit scheme has elastic laws and branches by convolution alone: no "
-                "multiplicative branches, viscous stress, factors of strain or layers",
-                {.key = "model.scheme", .value = "implicit", .allowed = "explicit"});
+  check_convolution_alone(material, "model.scheme");
 }
 
 void PointLaw::set_step(double step) {
@@ -59,28 +60,24 @@ void PointLaw::set_step(double step) {
   }
 }
 
-double PointLaw::deviatoric_weight() const {
-  double weight = constants_.long_term_deviatoric;
-  for (std::size_t i = 0; i < updates_.size(); ++i)
-    weight += updates_[i].gain * constants_.branches[i].deviatoric_share;
-  return weight;
-}
-
-double PointLaw::volumetric_weight() const {
-  double weight = constants_.long_term_volumetric;
-  for (std::size_t i = 0; i < updates_.size(); ++i)
-    weight += updates_[i].gain * constants_.branches[i].volumetric_share;
-  return weight;
+PointLaw::StressWeights PointLaw::weights() const {
+  StressWeights sum{constants_.long_term_deviatoric, constants_.long_term_volumetric};
+  for (std::size_t i = 0; i < updates_.size(); ++i) {
+    sum.deviatoric += updates_[i].gain * constants_.branches[i].deviatoric_share;
+    sum.volumetric += updates_[i].gain * constants_.branches[i].volumetric_share;
+  }
+  return sum;
 }
 
 StressResponse PointLaw::respond(const Symmetric<double>& c, const BranchState* states) const {
-  const Symmetric<Dual> seeded{Dual(c.rr, 4, 0), Dual(c.zz, 4, 1), Dual(c.tt, 4, 2), Dual(c.rz, 4, 3)};
+  const Symmetric<Dual> seeded{Dual(c.rr, 4, 0), Dual(c.zz, 4, 1), Dual(c.tt, 4, 2),
+                               Dual(c.rz, 4, 3)};
   const Strain<Dual> strain = strain_from(seeded);
   const auto zero = [] { return Dual(0.0, Eigen::Vector4d::Zero()); };
   Symmetric<Dual> total{zero(), zero(), zero(), zero()};
   with_elastic(constants_.elastic, [&](const auto& elastic) {
-    weigh(total, deviatoric_weight(), elastic.deviatoric_stress(strain));
-    weigh(total, volumetric_weight(), elastic.volumetric_stress(strain));
+    weigh(total, weights().deviatoric, elastic.deviatoric_stress(strain));
+    weigh(total, weights().volumetric, elastic.volumetric_stress(strain));
   });
   StressResponse response;
   const Dual* components[4] = {&total.rr, &total.zz, &total.tt, &total.rz};
@@ -105,9 +102,11 @@ PointLaw::Parts PointLaw::parts(const Symmetric<double>& c) const {
 
 Symmetric<double> PointLaw::stress(const Symmetric<double>& c, const BranchState* states) const {
   const Parts now = parts(c);
-  Eigen::Vector4d total = deviatoric_weight() * now.deviatoric + volumetric_weight() * now.volumetric;
+  Eigen::Vector4d total =
+      weights().deviatoric * now.deviatoric + weights().volumetric * now.volumetric;
   for (int i = 0; i < branch_count(); ++i)
-    total += updates_[i].decay * vector_of(states[i].stress) - updates_[i].gain * vector_of(states[i].drive);
+    total += updates_[i].decay * vector_of(states[i].stress) -
+             updates_[i].gain * vector_of(states[i].drive);
   return tensor_of(total);
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "fem/interface/material.hpp"
 #include "fem/materials/kinematics.hpp"
 #include "fem/materials/viscoelastic_constants.hpp"
-#include "lumped/problem/material.hpp"
 
 namespace rebound::fem {
 
@@ -64,8 +64,10 @@ class PointLaw {
   };
   Parts parts(const Symmetric<double>& right_cauchy_green) const;
   /// Share of the instantaneous stress at the end of the step that the total has.
-  double deviatoric_weight() const;
-  double volumetric_weight() const;
+  struct StressWeights {
+    double deviatoric = 0.0, volumetric = 0.0;
+  };
+  StressWeights weights() const;
 
   ViscoelasticConstants constants_;
   struct Update {

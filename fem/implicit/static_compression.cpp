@@ -8,8 +8,8 @@
 #include <string>
 
 #include "fem/implicit/equilibrium.hpp"
+#include "fem/interface/check_problem.hpp"
 #include "lumped/problem/error.hpp"
-#include "lumped/problem/out_of_range.hpp"
 
 namespace rebound::fem {
 namespace {
@@ -41,7 +41,7 @@ class StaticCompression {
   QuadraticBody body_;
   BodyForces forces_;
   EquilibriumSearch search_;
-  HeldNodes held_;
+  ActiveSet held_;
   std::vector<int> middle_;  ///< u_z of the middle plane
   Eigen::VectorXd u_, slope_;
   PathPoint now_;
@@ -56,7 +56,7 @@ StaticCompression::StaticCompression(const Mesh& mesh, const CompressionProblem&
       plan_(problem.compression),
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
       forces_(body_, problem.material, ContactInertia::kept),
-      search_(body_, forces_.empty_matrix()),
+      search_(body_, forces_.mass()),
       held_(body_) {
   const double radius = problem.sphere.radius();
   const bool half = std::abs(body_.height / radius - 1.0) < 1e-6;
@@ -75,8 +75,7 @@ PathPoint StaticCompression::path(int step) const {
   const double done = static_cast<double>(step) / plan_.steps;
   const double time = plan_.duration * done;
   switch (plan_.path) {
-    case CompressionPath::slow:
-      return {0.0, plan_.deflection * done};
+    case CompressionPath::slow: return {0.0, plan_.deflection * done};
     case CompressionPath::triangle:
       return {time, plan_.deflection * (1.0 - std::abs(1.0 - 2.0 * done))};
     case CompressionPath::half_sine:
@@ -87,8 +86,9 @@ PathPoint StaticCompression::path(int step) const {
 
 EquilibriumTask StaticCompression::task_of(const PathPoint& to) const {
   EquilibriumTask task;
-  task.linearise = [this](const Eigen::VectorXd& u, Eigen::VectorXd& residual, SystemMatrix& matrix) {
-    return forces_.linearise(u, {}, residual, matrix);
+  task.linearise = [this](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
+                          SystemMatrix& matrix) {
+    return forces_.linearise(u, 0.0, residual, matrix);
   };
   const Moduli& moduli = forces_.law().constants().instantaneous;
   const double radius = problem_.sphere.radius();
@@ -107,10 +107,9 @@ EquilibriumTask StaticCompression::task_of(const PathPoint& to) const {
 
 StaticCompression::Advance StaticCompression::advance(const PathPoint& to, int cuts) {
   const double step = to.time - now_.time;
-  forces_.law().set_step(plan_.path == CompressionPath::slow
-                             ? std::numeric_limits<double>::infinity()
-                             : step);
-  const HeldNodes held_before = held_;
+  forces_.law().set_step(
+      plan_.path == CompressionPath::slow ? std::numeric_limits<double>::infinity() : step);
+  const ActiveSet held_before = held_;
   Eigen::VectorXd u = u_ + (to.travel - now_.travel) * slope_;
   Eigen::VectorXd reaction;
   const auto found = search_.solve(task_of(to), u, held_, reaction);
@@ -128,7 +127,8 @@ StaticCompression::Advance StaticCompression::advance(const PathPoint& to, int c
   return first == Advance::done ? advance(to, cuts - 1) : first;
 }
 
-void StaticCompression::accept(const PathPoint& to, Eigen::VectorXd u, const Eigen::VectorXd& reaction) {
+void StaticCompression::accept(const PathPoint& to, Eigen::VectorXd u,
+                               const Eigen::VectorXd& reaction) {
   forces_.accept(u);
   double force = 0.0;
   held_.each_held(u, [&](int unknown, double) { force += reaction[unknown]; });
@@ -153,16 +153,15 @@ CompressionResult StaticCompression::run(const RunControl& control) {
   CompressionResult result;
   record();
   bool on_the_plate = true;
-  for (int step = 1; step <= plan_.steps && on_the_plate && result.incomplete_because.empty(); ++step) {
+  for (int step = 1; step <= plan_.steps && on_the_plate && result.incomplete_because.empty();
+       ++step) {
     if (control.interrupted && control.interrupted()) {
       result.incomplete_because = "interrupted";
       break;
     }
     const PathPoint to = path(step);
     switch (advance(to, 6)) {
-      case Advance::done:
-        record();
-        break;
+      case Advance::done: record(); break;
       case Advance::left_the_plate:
         // Somewhere within the step: the force of the sample is zero.
         work_ += 0.5 * force_ * (to.travel - now_.travel);
@@ -171,9 +170,7 @@ CompressionResult StaticCompression::run(const RunControl& control) {
         record();
         on_the_plate = false;
         break;
-      case Advance::failed:
-        result.incomplete_because = failure_;
-        break;
+      case Advance::failed: result.incomplete_because = failure_; break;
     }
     if (control.progress) control.progress(static_cast<double>(step) / plan_.steps);
   }
@@ -184,26 +181,11 @@ CompressionResult StaticCompression::run(const RunControl& control) {
   return result;
 }
 
-void check_compression(const CompressionProblem& problem) {
-  const Compression& plan = problem.compression;
-  const auto refuse = refuse_out_of_range;
-  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  if (!positive(problem.sphere.mass)) refuse("sphere.mass", problem.sphere.mass, "> 0 kg");
-  if (!positive(problem.sphere.diameter)) refuse("sphere.diameter", problem.sphere.diameter, "> 0 m");
-  if (plan.platens != 1 && plan.platens != 2) refuse("compression.platens", plan.platens, "1 or 2");
-  const double largest = (plan.platens == 2 ? 1.2 : 0.6) * problem.sphere.radius();
-  if (!(plan.deflection > 0.0 && plan.deflection <= largest))
-    refuse("compression.deflection", plan.deflection, "> 0 m, at most 0.6 radii a plate");
-  if (plan.steps < 1 || plan.steps > 100000) refuse("compression.steps", plan.steps, "1 to 100000");
-  if (plan.path != CompressionPath::slow && !positive(plan.duration))
-    refuse("compression.duration", plan.duration, "> 0 s");
-}
-
 }  // namespace
 
 CompressionResult run_static_compression(const Mesh& mesh, const CompressionProblem& problem,
                                          const RunControl& control) {
-  check_compression(problem);
+  check(problem);
   const auto start = Clock::now();
   CompressionResult result = StaticCompression(mesh, problem).run(control);
   result.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();

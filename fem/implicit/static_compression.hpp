@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lumped/problem/compression.hpp"
-#include "lumped/problem/mesh.hpp"
+#include "fem/interface/compression.hpp"
 #include "lumped/problem/run_control.hpp"
+#include "meshes/mesh.hpp"
 
 namespace rebound::fem {
 
@@ -18,7 +18,7 @@ namespace rebound::fem {
 /// The slow path uses the long-term state; the others integrate the branches
 /// exactly over each step. A path in time ends when the plate is left.
 /// Limit:  Hertz as a/R → 0, the finite-sphere correction at small a/R
-///         -> test RungC; Ting's unloading -> test RungEFem
+///         -> test VerificationCaseC; Ting's unloading -> test VerificationCaseEFem
 /// Errors: Error(bad_input) for numbers out of range or a mesh that does not fit.
 CompressionResult run_static_compression(const Mesh& mesh, const CompressionProblem& problem,
                                          const RunControl& control);

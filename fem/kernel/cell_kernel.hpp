@@ -30,27 +30,28 @@ inline constexpr int history_stride = 4;
 struct BranchStep {
   double deviatoric_share = 0.0;
   double volumetric_share = 0.0;
-  double decay_next = 0.0;  ///< a of the step that follows [-]
-  double gain = 0.0;        ///< b of the step that led here [-]
-  double gain_next = 0.0;   ///< b of the step that follows [-]
+  double decay_next = 0.0;      ///< a of the step that follows [-]
+  double gain = 0.0;            ///< b of the step that led here [-]
+  double gain_next = 0.0;       ///< b of the step that follows [-]
   bool multiplicative = false;  ///< then the members above are not used, those below are
   Moduli moduli;                ///< μ_b, K_b [Pa]
   BranchFlow flow;
-  double growth_share = 0.0;    ///< what the branch's growth counts for in the cell's
+  double growth_share = 0.0;  ///< what the branch's growth counts for in the cell's
 };
 
 /// Everything a kernel reads, structure of arrays in batches of `width` cells.
 struct CellArrays {
   int batches = 0;
-  int cells = 0;                    ///< without the padding of the last batch
-  const int* nodes = nullptr;       ///< [batch][4][width]
-  const double* geometry = nullptr; ///< [batch][4 points][geometry_stride][width]
-  const double* rest_frequency_squared = nullptr;  ///< [batch][width], ω² of the cell at rest [1/s²]
-  ElasticConstants elastic;         ///< with the instantaneous moduli
+  int cells = 0;                     ///< without the padding of the last batch
+  const int* nodes = nullptr;        ///< [batch][4][width]
+  const double* geometry = nullptr;  ///< [batch][4 points][geometry_stride][width]
+  const double* rest_frequency_squared =
+      nullptr;               ///< [batch][width], ω² of the cell at rest [1/s²]
+  ElasticConstants elastic;  ///< with the instantaneous moduli
   double long_term_deviatoric = 1.0;
   double long_term_volumetric = 1.0;
   int branches = 0;
-  int history_per_point = 0;        ///< doubles per point and lane
+  int history_per_point = 0;  ///< doubles per point and lane
   InelasticConstants inelastic;
 };
 
@@ -60,9 +61,9 @@ struct CellMotion {
 };
 
 struct CellSummary {
-  double smallest_jacobian = 0.0;            ///< over all integration points
-  double largest_frequency_squared = 0.0;    ///< bound over all cells [1/s²]; with damping that
-                                             ///< of the undamped motion with the same stable step
+  double smallest_jacobian = 0.0;          ///< over all integration points
+  double largest_frequency_squared = 0.0;  ///< bound over all cells [1/s²]; with damping that
+                                           ///< of the undamped motion with the same stable step
 };
 
 /// The functions of one instruction set. Displacement and force are

@@ -53,10 +53,9 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
         advance_branch(branches[b], deviatoric, volumetric, carried + b * history_stride * width,
                        stress);
       add_point_force(point, shape[q], first_piola(gradient, stress), f);
-      smallest_jacobian =
-          strain.jacobian < smallest_jacobian ? strain.jacobian : smallest_jacobian;
-      growth = larger(growth, elastic.stiffness_growth(
-                                  strain, inverse_eigenvalue_bound(strain.inverse)));
+      smallest_jacobian = strain.jacobian < smallest_jacobian ? strain.jacobian : smallest_jacobian;
+      growth = larger(growth,
+                      elastic.stiffness_growth(strain, inverse_eigenvalue_bound(strain.inverse)));
     }
     scatter_add(nodes, f, force);
     const Real at_rest = load<Real>(cells.rest_frequency_squared + batch * width);

@@ -17,7 +17,7 @@ inline constexpr int observed_energies = 2;
 /// that instant, with the same arguments: branches have then not moved on yet.
 /// Numbers are those before a layer's factor (CellBatches::layer_factor).
 struct CellObserver {
-  /// The work of all stresses up to this instant, by the rule that the energy book
+  /// The work of all stresses up to this instant, by the rule that the energy balance
   /// has for the nodes:
   ///
   ///   w ← w + ½ (P + P_before) : (F − F_before)     [J/m³], per reference volume

@@ -90,7 +90,8 @@ void energies_of(const Law& law, const CellArrays& cells, const BranchStep* bran
       const Strain<Real> strain = strain_of(f);
       const Real deviatoric = law.deviatoric_energy(strain);
       const Real volumetric = law.volumetric_energy(strain);
-      Real stored = cells.long_term_deviatoric * deviatoric + cells.long_term_volumetric * volumetric;
+      Real stored =
+          cells.long_term_deviatoric * deviatoric + cells.long_term_volumetric * volumetric;
       if (k.factor_acts) {  // every branch then relaxes all of the stress
         const double* largest = carried + cells.branches * history_stride * width;
         const FactorAt<Real> factor = factor_at(k.factor, Real(deviatoric + volumetric),
@@ -105,14 +106,14 @@ void energies_of(const Law& law, const CellArrays& cells, const BranchStep* bran
 }
 
 void advance_work(const CellArrays& cells, const BranchStep* branches, const CellMotion& motion,
-             const double* history, double* observed) {
+                  const double* history, double* observed) {
   with_elastic(cells.elastic, [&](const auto& elastic) {
     advance_of(elastic, cells, branches, motion, history, observed);
   });
 }
 
 void find_energies(const CellArrays& cells, const BranchStep* branches, const double* displacement,
-              const double* history, double* energies) {
+                   const double* history, double* energies) {
   with_elastic(cells.elastic, [&](const auto& elastic) {
     energies_of(elastic, cells, branches, displacement, history, energies);
   });

@@ -8,9 +8,9 @@ typedef double Pair __attribute__((vector_size(16)));
 /// Shape functions of the bilinear cell at its 2×2 Gauss points, corners and
 /// points counted counter-clockwise from (−,−). The discretisation uses the
 /// same order -> test DiscretisationTest.PointOrder.
-constexpr double near_corner = 0.62200846792814621559;   // (1 + 1/√3)²/4
-constexpr double middle_corner = 0.16666666666666666667; // (1 − 1/3)/4
-constexpr double far_corner = 0.04465819873852045108;    // (1 − 1/√3)²/4
+constexpr double near_corner = 0.62200846792814621559;    // (1 + 1/√3)²/4
+constexpr double middle_corner = 0.16666666666666666667;  // (1 − 1/3)/4
+constexpr double far_corner = 0.04465819873852045108;     // (1 − 1/√3)²/4
 constexpr double shape[points_per_cell][nodes_per_cell] = {
     {near_corner, middle_corner, far_corner, middle_corner},
     {middle_corner, near_corner, middle_corner, far_corner},
@@ -92,8 +92,7 @@ inline void add_point_force(const Point& point, const double* shape_values,
   }
 }
 
-inline Symmetric<Real> combine(Real a, const Symmetric<Real>& x, Real b,
-                               const Symmetric<Real>& y) {
+inline Symmetric<Real> combine(Real a, const Symmetric<Real>& x, Real b, const Symmetric<Real>& y) {
   return {a * x.rr + b * y.rr, a * x.zz + b * y.zz, a * x.tt + b * y.tt, a * x.rz + b * y.rz};
 }
 
@@ -116,9 +115,13 @@ inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& devi
   advance(3, drive.rz, total.rz);
 }
 
-inline Real larger(Real a, Real b) { return a > b ? a : b; }
+inline Real larger(Real a, Real b) {
+  return a > b ? a : b;
+}
 
-inline Real magnitude(Real a) { return a < 0.0 ? -a : a; }
+inline Real magnitude(Real a) {
+  return a < 0.0 ? -a : a;
+}
 
 /// Upper bound of the eigenvalues of C⁻¹, less than 9 % above the largest; the
 /// square root in it is bounded by an octagon.

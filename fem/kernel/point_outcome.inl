@@ -57,9 +57,9 @@ inline void add_multiplicative(const BranchStep& branch, const Gradient<Real>& f
 }
 
 template <Elastic<Real> Law>
-inline PointOutcome point_outcome(const Law& law, const CellArrays& cells, const BranchStep* branches,
-                                  const Gradient<Real>& f, const Gradient<Real>& rate,
-                                  double* history) {
+inline PointOutcome point_outcome(const Law& law, const CellArrays& cells,
+                                  const BranchStep* branches, const Gradient<Real>& f,
+                                  const Gradient<Real>& rate, double* history) {
   const InelasticConstants& k = cells.inelastic;
   const Real zero = {};
   const Strain<Real> strain = strain_of(f);

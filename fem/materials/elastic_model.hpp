@@ -20,8 +20,8 @@ namespace rebound::fem {
 /// At small strain S_d = 2μ dev ε and S_v = K tr ε 1, with `moduli` μ and K; either
 /// part may relax alone. At rest stress and energy are zero.
 ///
-/// To write one: copy blank_material.hpp, add it to ElasticModel, to with_elastic
-/// and to the list of material_battery_test.cpp, which then tests all of this.
+/// To write one: copy blank_material.hpp and add its line to fem/interface/elastic_models.inc;
+/// material_battery_test.cpp then tests all of this.
 /// Caution: the arithmetic must hold for all three kinds of T. Name every
 ///          intermediate T (differentiated numbers are expressions otherwise),
 ///          choose by `a < b ? x : y` with both of type T, and use exp, log and

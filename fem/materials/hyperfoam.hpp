@@ -45,7 +45,8 @@ struct Hyperfoam {
   template <class T>
   Symmetric<T> volumetric_stress(const Strain<T>& e) const {
     const T factor = moduli.bulk * e.log_jacobian;
-    return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt, factor * e.inverse.rz};
+    return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt,
+            factor * e.inverse.rz};
   }
 
   template <class T>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/moduli.hpp"
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/principal_stretches.hpp"
 #include "fem/materials/volumetric_law.hpp"
 

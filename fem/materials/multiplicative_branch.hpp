@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/materials/moduli.hpp"
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/principal_stretches.hpp"
 
 namespace rebound::fem {
@@ -31,11 +31,11 @@ namespace rebound::fem {
 /// Source:  Reese & Govindjee 1998 (split, flow rule, update by logarithms);
 ///          Hencky energy as in Simo 1992.
 struct BranchFlow {
-  double before = 0.0;        ///< Δt/2τ of the step that led here [-]
-  double next = 0.0;          ///< Δt/2τ of the step that follows [-]
-  double decay_before = 1.0;  ///< e^(−before)
-  double decay_next = 1.0;    ///< e^(−next)
-  double power = 0.0;         ///< 1/m − 1; 0 Newtonian
+  double before = 0.0;            ///< Δt/2τ of the step that led here [-]
+  double next = 0.0;              ///< Δt/2τ of the step that follows [-]
+  double decay_before = 1.0;      ///< e^(−before)
+  double decay_next = 1.0;        ///< e^(−next)
+  double power = 0.0;             ///< 1/m − 1; 0 Newtonian
   double reference_strain = 1.0;  ///< q₀
 };
 
@@ -73,7 +73,8 @@ inline Logarithm<T> logarithm_of(const Symmetric<T>& b) {
 template <class T>
 inline T share_left(const T& q_squared, double x, const BranchFlow& flow) {
   const double p = flow.power;
-  const T ratio = 0.5 * log(T((q_squared + 1e-60) * (1.0 / (flow.reference_strain * flow.reference_strain))));
+  const T ratio =
+      0.5 * log(T((q_squared + 1e-60) * (1.0 / (flow.reference_strain * flow.reference_strain))));
   const T exponent = p * ratio;
   const T most = 0.0 * exponent + 300.0;
   const T kept = exponent < 300.0 ? exponent : most;
@@ -104,17 +105,17 @@ inline Symmetric<T> pulled_back(const Gradient<T>& f, const Symmetric<T>& a) {
 }
 
 template <class T>
-inline T branch_growth(const Logarithm<T>& l, const Symmetric<T>& b, const Symmetric<T>& inverse_viscous,
-                       const Moduli& moduli) {
+inline T branch_growth(const Logarithm<T>& l, const Symmetric<T>& b,
+                       const Symmetric<T>& inverse_viscous, const Moduli& moduli) {
   // W_λᵢ = (2μ ln λᵢ − c)/λᵢ: a single term whose slope (1 − ln λ)/λ² falls up to λ = e^1.5.
-  const T logs[3] = {0.5 * (l.plane_mean + l.half_difference), 0.5 * (l.plane_mean - l.half_difference),
-                     0.5 * l.hoop};
+  const T logs[3] = {0.5 * (l.plane_mean + l.half_difference),
+                     0.5 * (l.plane_mean - l.half_difference), 0.5 * l.hoop};
   StretchTangent<T> tangent;
   T slope[3];
   const T trace = logs[0] + logs[1] + logs[2];
   const T plane_determinant = b.rr * b.zz - b.rz * b.rz;
-  const T largest = 0.5 * (b.rr + b.zz) +
-                    sqrt(T(0.25 * (b.rr - b.zz) * (b.rr - b.zz) + b.rz * b.rz + 1e-40));
+  const T largest =
+      0.5 * (b.rr + b.zz) + sqrt(T(0.25 * (b.rr - b.zz) * (b.rr - b.zz) + b.rz * b.rz + 1e-40));
   tangent.inverse_square[0] = 1.0 / largest;
   tangent.inverse_square[1] = largest / plane_determinant;
   tangent.inverse_square[2] = 1.0 / b.tt;
@@ -129,14 +130,15 @@ inline T branch_growth(const Logarithm<T>& l, const Symmetric<T>& b, const Symme
   tangent.spread = 0.0 * trace;
   // |h Fᵥ⁻¹|² ≤ |h|² times the largest eigenvalue of Cᵥ⁻¹.
   const auto& v = inverse_viscous;
-  const T in_plane = 0.5 * (v.rr + v.zz) +
-                     sqrt(T(0.25 * (v.rr - v.zz) * (v.rr - v.zz) + v.rz * v.rz + 1e-40));
+  const T in_plane =
+      0.5 * (v.rr + v.zz) + sqrt(T(0.25 * (v.rr - v.zz) * (v.rr - v.zz) + v.rz * v.rz + 1e-40));
   return growth_of(tangent, moduli.shear, lame) * larger_of(in_plane, v.tt);
 }
 
 /// One point over one step; `inverse_viscous` is Cᵥ⁻¹ half a step back.
 template <class T>
-inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f, const Symmetric<T>& inverse_viscous,
+inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
+                                             const Symmetric<T>& inverse_viscous,
                                              const Moduli& moduli, const BranchFlow& flow) {
   const auto& v = inverse_viscous;
   const T p = f.rr * v.rr + f.rz * v.rz, q = f.rr * v.rz + f.rz * v.zz;
@@ -161,9 +163,9 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f, const Symmetr
   point.growth = branch_growth(l, b, v, moduli);
   const T twice = 2.0 * moduli.shear * left;
   const T pressure = 3.0 * moduli.bulk * left * third;
-  point.stress = pulled_back(f, Symmetric<T>{twice * (plane + n_rr) + pressure,
-                                             twice * (plane - n_rr) + pressure,
-                                             twice * hoop + pressure, twice * n_rz});
+  point.stress = pulled_back(
+      f, Symmetric<T>{twice * (plane + n_rr) + pressure, twice * (plane - n_rr) + pressure,
+                      twice * hoop + pressure, twice * n_rz});
   const T at_start = moduli.shear * (deviator + volume);
   point.energy = at_start * left * left;
   const T both = left * after;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/kinematics.hpp"
-#include "fem/materials/moduli.hpp"
 
 namespace rebound::fem {
 
@@ -40,7 +40,8 @@ struct NeoHookean {
   template <class T>
   T deviatoric_energy(const Strain<T>& e) const {
     const auto& c = e.right_cauchy_green;
-    return moduli.shear * (0.5 * (c.rr + c.zz + c.tt - 3.0) - e.log_jacobian - e.log_jacobian * e.log_jacobian / 3.0);
+    return moduli.shear * (0.5 * (c.rr + c.zz + c.tt - 3.0) - e.log_jacobian -
+                           e.log_jacobian * e.log_jacobian / 3.0);
   }
 
   template <class T>

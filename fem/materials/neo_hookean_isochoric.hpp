@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/kinematics.hpp"
-#include "fem/materials/moduli.hpp"
 
 namespace rebound::fem {
 
@@ -63,15 +63,15 @@ struct NeoHookeanIsochoric {
     const T invariant = c.rr + c.zz + c.tt;
     const T pressure = moduli.bulk * j * (j < 1.0 ? 1.0 - j : j - 1.0);
     const T shear = scale * (1.0 + (1.0 / 3.0) * invariant * m) + pressure * m;
-    const T per_trace = (2.0 / 9.0) * scale * invariant +
-                        moduli.bulk * j * (j < 0.5 ? 0.0 * j : 2.0 * j - 1.0);
+    const T per_trace =
+        (2.0 / 9.0) * scale * invariant + moduli.bulk * j * (j < 0.5 ? 0.0 * j : 2.0 * j - 1.0);
     const T in_plane = e.inverse.rr + e.inverse.zz;
     const T one = shear - (4.0 / 3.0) * scale + per_trace * m;
     const T wave = (one > shear ? one : shear) * (1.0 / (moduli.bulk + 4.0 / 3.0 * mu));
     const T plane = (shear - (8.0 / 3.0) * scale + per_trace * in_plane) *
                     (1.0 / (2.0 * moduli.bulk + 2.0 / 3.0 * mu));
-    const T swelling = (shear - 4.0 * scale + per_trace * (in_plane + e.inverse.tt)) *
-                       (1.0 / (3.0 * moduli.bulk));
+    const T swelling =
+        (shear - 4.0 * scale + per_trace * (in_plane + e.inverse.tt)) * (1.0 / (3.0 * moduli.bulk));
     const T larger = wave > plane ? wave : plane;
     return larger > swelling ? larger : swelling;
   }

@@ -15,10 +15,10 @@ namespace rebound::fem {
 /// automatic differentiation exist at equal stretches too.
 template <class T>
 struct PrincipalStretches {
-  T logarithm[3];      ///< ln λ
-  T inverse_square[3]; ///< 1/λ²
-  T half_difference;   ///< w
-  T n_rr, n_rz;        ///< N, with N_zz = −N_rr
+  T logarithm[3];       ///< ln λ
+  T inverse_square[3];  ///< 1/λ²
+  T half_difference;    ///< w
+  T n_rr, n_rz;         ///< N, with N_zz = −N_rr
 };
 
 template <class T>
@@ -54,7 +54,8 @@ inline PrincipalStretches<T> principal_stretches_of(const Strain<T>& e) {
 
 /// Adds the tensor with the principal values `value` = const · λ^(2k) to `sum`.
 template <class T>
-inline void add_power(const PrincipalStretches<T>& p, const T value[3], double k, Symmetric<T>& sum) {
+inline void add_power(const PrincipalStretches<T>& p, const T value[3], double k,
+                      Symmetric<T>& sum) {
   const T mean = 0.5 * (value[0] + value[1]);
   const T x = k * p.half_difference;
   const T x2 = x * x;
@@ -74,12 +75,12 @@ inline void add_power(const PrincipalStretches<T>& p, const T value[3], double k
 /// λ t'(λ) δᵢⱼ + cross terms + coupling.
 template <class T>
 struct StretchTangent {
-  T slope;             ///< Σ over terms of the largest d(t/λ)/dλ [Pa]
-  T stress[3];         ///< t(λᵢ) [Pa]
-  T constant;          ///< c [Pa]
-  T coupling;          ///< B of the form B (tr F⁻¹h)² [Pa]
-  T spread;            ///< cross terms beyond those of an even G, see Ogden [Pa]
-  T inverse_square[3]; ///< 1/λᵢ²
+  T slope;              ///< Σ over terms of the largest d(t/λ)/dλ [Pa]
+  T stress[3];          ///< t(λᵢ) [Pa]
+  T constant;           ///< c [Pa]
+  T coupling;           ///< B of the form B (tr F⁻¹h)² [Pa]
+  T spread;             ///< cross terms beyond those of an even G, see Ogden [Pa]
+  T inverse_square[3];  ///< 1/λᵢ²
 };
 
 template <class T>
@@ -101,7 +102,8 @@ inline T largest_of(const T& a, const T& b, const T& c) {
 template <class T>
 inline void close_isochoric(StretchTangent<T>& a, const T g[3], const T& jacobian, double bulk) {
   const T square = jacobian * jacobian;
-  a.constant = (1.0 / 3.0) * (a.stress[0] + a.stress[1] + a.stress[2]) - 0.5 * bulk * (square - 1.0);
+  a.constant =
+      (1.0 / 3.0) * (a.stress[0] + a.stress[1] + a.stress[2]) - 0.5 * bulk * (square - 1.0);
   const T most = largest_of(g[0], g[1], g[2]);
   const T least = -largest_of(T(-g[0]), T(-g[1]), T(-g[2]));
   a.spread = (1.0 / 3.0) * (most - least);
@@ -123,8 +125,9 @@ template <class T>
 inline T growth_of(const StretchTangent<T>& a, double shear, double lame) {
   const auto& i = a.inverse_square;
   const T largest = largest_of(i[0], i[1], i[2]);
-  const T pull = largest_of(T((a.stress[0] - a.constant) * i[0]), T((a.stress[1] - a.constant) * i[1]),
-                            T((a.stress[2] - a.constant) * i[2]));
+  const T pull =
+      largest_of(T((a.stress[0] - a.constant) * i[0]), T((a.stress[1] - a.constant) * i[1]),
+                 T((a.stress[2] - a.constant) * i[2]));
   const T push = largest_of(T(a.constant * i[0]), T(a.constant * i[1]), T(a.constant * i[2]));
   const T s = larger_of(T(a.slope + push), pull);
   const T zero = 0.0 * s;

@@ -24,13 +24,13 @@ namespace rebound::fem {
 /// Caution: ε does not know compression from extension; c stiffens both. Mullins
 ///          softening is pseudo-elastic: it depends on ε_m alone and never heals.
 /// Source:  energy of an energy: Ogden & Roxburgh 1999 (d); the shapes of
-///          a, b, c are those of comparisons/effects.
+///          a, b, c are those of comparisons/models/effects.
 struct StrainFactor {
-  double stiffening = 0.0;     ///< a
-  double softening = 0.0;      ///< b
-  double densification = 0.0;  ///< c
-  double mullins = 0.0;        ///< d
-  double youngs_modulus = 1.0; ///< E of the law that W belongs to [Pa]
+  double stiffening = 0.0;      ///< a
+  double softening = 0.0;       ///< b
+  double densification = 0.0;   ///< c
+  double mullins = 0.0;         ///< d
+  double youngs_modulus = 1.0;  ///< E of the law that W belongs to [Pa]
 };
 
 inline constexpr double softening_rate = 20.0;
@@ -54,15 +54,16 @@ inline FactorAt<T> factor_at(const StrainFactor& k, const T& w, const T& largest
   at.largest_strain = at.strain > largest_before ? at.strain : largest_before;
   const T fade = exp(T(-softening_rate * at.strain));
   const T over = at.strain > densification_strain ? T(at.strain - densification_strain) : floor;
-  const T g = 1.0 + k.stiffening * at.strain - k.softening * (1.0 - fade) +
-              k.densification * over * over;
+  const T g =
+      1.0 + k.stiffening * at.strain - k.softening * (1.0 - fade) + k.densification * over * over;
   const T damage = 1.0 - k.mullins * (1.0 - at.strain / at.largest_strain);
   at.value = g * damage;
   // W is a difference of numbers near 1: below 1e-7 the strain is rounding, and
   // would be divided by.
   constexpr double rounding = 1e-7;
   at.slope = (k.stiffening + 2.0 * k.densification * over +
-              k.mullins * g / (at.largest_strain + rounding)) / (at.strain + rounding);
+              k.mullins * g / (at.largest_strain + rounding)) /
+             (at.strain + rounding);
   return at;
 }
 
@@ -84,8 +85,7 @@ inline T factored_energy(const StrainFactor& k, const FactorAt<T>& at) {
       k.softening * ((1.0 / 3.0) * e3 -
                      (2.0 - (r * r * e2 + 2.0 * r * e + 2.0) * fade) * (1.0 / (r * r * r))) +
       k.densification * y3 * (0.2 * y * y + 0.5 * e0 * y + e0 * e0 / 3.0);
-  return k.youngs_modulus *
-         ((1.0 - k.mullins) * first + k.mullins / at.largest_strain * second);
+  return k.youngs_modulus * ((1.0 - k.mullins) * first + k.mullins / at.largest_strain * second);
 }
 
 }  // namespace rebound::fem

@@ -20,7 +20,8 @@ struct Bar {
       double factor = 1.0;
       if (constants.inelastic.factor_acts)
         factor = factor_at(constants.inelastic.factor,
-                           law.deviatoric_energy(e) + law.volumetric_energy(e), 0.0).value;
+                           law.deviatoric_energy(e) + law.volumetric_energy(e), 0.0)
+                     .value;
       const double a = factor * constants.long_term_deviatoric;
       const double b = factor * constants.long_term_volumetric;
       return Symmetric<double>{a * d.rr + b * v.rr, a * d.zz + b * v.zz, a * d.tt + b * v.tt, 0.0};

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lumped/problem/material_laws.hpp"
+#include "fem/interface/material_laws.hpp"
 
 namespace rebound::fem {
 
@@ -15,6 +15,7 @@ namespace rebound::fem {
 /// Errors:  Error(bad_input) for a material out of range or a stretch that is not
 ///          positive, Error(solver_failed) where no lateral stretch from 0.05 to 20
 ///          frees the sides.
-std::vector<UniaxialState> uniaxial_states(const Material& material, const std::vector<double>& stretches);
+std::vector<UniaxialState> uniaxial_states(const Material& material,
+                                           const std::vector<double>& stretches);
 
 }  // namespace rebound::fem

@@ -2,22 +2,22 @@
 
 #include <vector>
 
+#include "fem/interface/material.hpp"
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/elastic_constants.hpp"
 #include "fem/materials/inelastic_constants.hpp"
-#include "fem/materials/moduli.hpp"
-#include "lumped/problem/material.hpp"
 
 namespace rebound::fem {
 
 /// One Prony branch in terms of the instantaneous stress it is driven by:
 /// Q̇ + Q/τ = d/dt (g_d S_d + g_v S_v).
 struct BranchConstants {
-  double deviatoric_share = 0.0;   ///< g_d [-]
-  double volumetric_share = 0.0;   ///< g_v [-], zero when the branch relaxes the deviator alone
-  double relaxation_time = 0.0;    ///< τ [s]
-  bool multiplicative = false;     ///< split F = Fₑ Fᵥ in place of the convolution
-  double rate_exponent = 1.0;      ///< m [-], multiplicative branches alone
-  double reference_strain = 0.1;   ///< q₀ [-]
+  double deviatoric_share = 0.0;  ///< g_d [-]
+  double volumetric_share = 0.0;  ///< g_v [-], zero when the branch relaxes the deviator alone
+  double relaxation_time = 0.0;   ///< τ [s]
+  bool multiplicative = false;    ///< split F = Fₑ Fᵥ in place of the convolution
+  double rate_exponent = 1.0;     ///< m [-], multiplicative branches alone
+  double reference_strain = 0.1;  ///< q₀ [-]
 };
 
 /// Material constants in the one form the kernels use.
@@ -29,7 +29,7 @@ struct ViscoelasticConstants {
   double long_term_deviatoric = 1.0;  ///< c_d [-]
   double long_term_volumetric = 1.0;  ///< c_v [-]
   std::vector<BranchConstants> branches;
-  ElasticConstants elastic;           ///< the law, with the instantaneous moduli
+  ElasticConstants elastic;  ///< the law, with the instantaneous moduli
   InelasticConstants inelastic;
   std::vector<RadialLayer> layers;
 
@@ -38,10 +38,6 @@ struct ViscoelasticConstants {
     return !branches.empty() || inelastic.retardation_time > 0.0 || inelastic.factor.mullins > 0.0;
   }
 };
-
-/// Largest Poisson ratio at which the fully integrated bilinear cell is
-/// trusted; above it the cell locks in volume.
-inline constexpr double largest_poisson_ratio = 0.45;
 
 /// Converts user-level material numbers of either modulus basis.
 ///
@@ -53,11 +49,7 @@ inline constexpr double largest_poisson_ratio = 0.45;
 ///         -> test ViscoelasticConstantsTest.BasesAgree
 /// Terms are scaled so that Σ μᵢ = μ₀; β that a hyperfoam's terms give must lead
 /// to the Poisson ratio of the material within 0.002, and share what is left.
-/// Errors: Error(bad_input) for E ≤ 0, ν outside (−1, 0.45], τ ≤ 0,
-///         ratio ≤ 0, instantaneous shares that sum to 1 or more, terms that
-///         are missing, too many or out of range, or that contradict ν, strain
-///         factors beside branches that relax the deviator alone (no energy
-///         belongs to that), layers out of order.
+/// Errors: Error(bad_input) as check(material), see fem/interface/check_material.hpp.
 ViscoelasticConstants viscoelastic_constants(const Material& material);
 
 }  // namespace rebound::fem

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/interface/moduli.hpp"
 #include "fem/materials/kinematics.hpp"
-#include "fem/materials/moduli.hpp"
 
 namespace rebound::fem {
 
@@ -17,8 +17,9 @@ namespace rebound::fem {
 /// Limit:   small strain σ = D (ε + θ ε̇) -> test ViscousStressTest.SmallStrain
 /// Caution: the force at the first touch is θ-proportional and discontinuous.
 template <class T>
-inline Symmetric<T> viscous_stress(const Strain<T>& e, const Gradient<T>& f, const Gradient<T>& rate,
-                                   const Moduli& moduli, double retardation_time) {
+inline Symmetric<T> viscous_stress(const Strain<T>& e, const Gradient<T>& f,
+                                   const Gradient<T>& rate, const Moduli& moduli,
+                                   double retardation_time) {
   const auto& i = e.inverse;
   // Ė = sym(Fᵀ Ḟ)
   const T rr = f.rr * rate.rr + f.zr * rate.zr;
@@ -31,8 +32,9 @@ inline Symmetric<T> viscous_stress(const Strain<T>& e, const Gradient<T>& f, con
   // C⁻¹ĖC⁻¹ in the plane: columns of ĖC⁻¹ first
   const T a = rr * i.rr + rz * i.rz, b = rr * i.rz + rz * i.zz;
   const T c = rz * i.rr + zz * i.rz, d = rz * i.rz + zz * i.zz;
-  return {twice * (i.rr * a + i.rz * c) + volume * i.rr, twice * (i.rz * b + i.zz * d) + volume * i.zz,
-          twice * i.tt * i.tt * tt + volume * i.tt, twice * (i.rr * b + i.rz * d) + volume * i.rz};
+  return {twice * (i.rr * a + i.rz * c) + volume * i.rr,
+          twice * (i.rz * b + i.zz * d) + volume * i.zz, twice * i.tt * i.tt * tt + volume * i.tt,
+          twice * (i.rr * b + i.rz * d) + volume * i.rz};
 }
 
 /// Growth of the stiffest damping since rest, as NeoHookean::stiffness_growth.
@@ -43,7 +45,8 @@ inline T damping_growth(const Strain<T>& e, const T& m, const Moduli& moduli) {
   const T plane_trace = e.inverse.rr + e.inverse.zz;
   const T wave = (twice * m + size * m) * (1.0 / (twice + size));
   const T plane = (twice * m + size * plane_trace) * (1.0 / (twice + 2.0 * size));
-  const T swelling = (twice * m + size * (plane_trace + e.inverse.tt)) * (1.0 / (twice + 3.0 * size));
+  const T swelling =
+      (twice * m + size * (plane_trace + e.inverse.tt)) * (1.0 / (twice + 3.0 * size));
   const T larger = wave > plane ? wave : plane;
   return larger > swelling ? larger : swelling;
 }

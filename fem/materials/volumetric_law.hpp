@@ -13,7 +13,8 @@ namespace rebound::fem {
 template <class T>
 inline Symmetric<T> stress_of_volume(const Strain<T>& e, double bulk) {
   const T factor = 0.5 * bulk * (e.jacobian * e.jacobian - 1.0);
-  return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt, factor * e.inverse.rz};
+  return {factor * e.inverse.rr, factor * e.inverse.zz, factor * e.inverse.tt,
+          factor * e.inverse.rz};
 }
 
 template <class T>

@@ -1,10 +1,10 @@
 #include "fem/output/contact_pressure.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
+
+#include "fem/discretisation/edge_area.hpp"
 
 namespace rebound::fem {
 
@@ -47,10 +47,9 @@ std::vector<double> ContactPressure::pressure(const std::vector<double>& displac
                       position_[node][1] + displacement[2 * node + 1]};
   };
   for (const auto& [first, second] : edges_) {
-    const auto a = place(first), b = place(second);
-    const double third = std::numbers::pi / 3.0 * std::hypot(b[0] - a[0], b[1] - a[1]);
-    area[first] += third * (2.0 * a[0] + b[0]);
-    area[second] += third * (a[0] + 2.0 * b[0]);
+    const auto [at_first, at_second] = edge_areas(place(first), place(second));
+    area[first] += at_first;
+    area[second] += at_second;
   }
   const double span = time_ - older_time_;
   if (!(span > 0.0)) return pressure;

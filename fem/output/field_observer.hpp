@@ -11,9 +11,9 @@ namespace rebound::fem {
 /// Stress and energies of every cell of an explicit run, found beside the forces
 /// and without touching them.
 ///
-/// Work is summed at every integration point by the rule that the energy book has
-/// for the nodes, so that ∫ lost + held dV is the book's `branches` to rounding
-/// -> test FieldsOfAnImpact.DensitiesSumUpToTheEnergyBook.
+/// Work is summed at every integration point by the rule that the energy balance has
+/// for the nodes, so that ∫ lost + held dV is the balance's `branches` to rounding
+/// -> test FieldsOfAnImpact.DensitiesSumUpToTheEnergyBalance.
 /// Limit:   lost ≥ 0 at every point where every branch is of multiplicative split,
 ///          up to the error of the time step
 ///          -> test FieldsOfAnImpact.NothingIsLostBelowZero
@@ -27,7 +27,8 @@ class FieldObserver {
   Loss loss() const { return loss_; }
 
   /// Sees one instant, before the kernel's forces of it.
-  void see(const BranchStep* branches, const CellMotion& motion, const std::vector<double>& history);
+  void see(const BranchStep* branches, const CellMotion& motion,
+           const std::vector<double>& history);
 
   /// The cells, in the body's order, at the instant just seen; same arguments.
   std::vector<CellState> cells(const BranchStep* branches, const CellMotion& motion,

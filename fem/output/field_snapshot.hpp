@@ -10,9 +10,9 @@ namespace rebound::fem {
 /// Everything that is written or kept of one instant. Fields of nodes are
 /// [node][2] (r, z) and may be longer than the mesh.
 struct FieldSnapshot {
-  double time = 0.0;                      ///< [s]
-  const std::vector<double>& displacement;  ///< [m]
-  const std::vector<double>& velocity;      ///< [m/s]
+  double time = 0.0;                            ///< [s]
+  const std::vector<double>& displacement;      ///< [m]
+  const std::vector<double>& velocity;          ///< [m/s]
   const std::vector<double>& contact_pressure;  ///< per node, compression positive [Pa]
   const std::vector<CellState>& cells;
   Loss loss = Loss::none;

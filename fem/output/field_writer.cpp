@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "fem/output/whole_file.hpp"
+#include "lumped/problem/atomic_file.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
@@ -41,9 +41,9 @@ FieldWriter::FieldWriter(VtuMesh mesh, const std::string& folder)
 void FieldWriter::write(const FieldSnapshot& now) {
   char name[32];
   std::snprintf(name, sizeof name, "frame-%04zu.vtu", frames_.size());
-  write_whole_file(folder_ / name, vtu_text(mesh_, vtu_frame(now, mesh_.points.size())));
+  write_file_atomically(folder_ / name, vtu_text(mesh_, vtu_frame(now, mesh_.points.size())));
   frames_.emplace_back(now.time, name);
-  write_whole_file(folder_ / list_name, pvd_text(frames_));
+  write_file_atomically(folder_ / list_name, pvd_text(frames_));
 }
 
 }  // namespace rebound::fem

@@ -14,7 +14,7 @@ int file_frames(const FemControls& controls) {
 
 }  // namespace
 
-bool FrameKeeper::asked_for(const FemControls& controls) {
+bool FrameKeeper::is_requested(const FemControls& controls) {
   return file_frames(controls) > 0 || controls.shape_frames > 0;
 }
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "fem/interface/fem_problem.hpp"
 #include "fem/output/field_writer.hpp"
 #include "fem/output/frame_clock.hpp"
 #include "fem/output/shape_recorder.hpp"
-#include "lumped/problem/fem_problem.hpp"
 
 namespace rebound::fem {
 
@@ -20,7 +20,7 @@ struct BodyDrawing {
 class FrameKeeper {
  public:
   /// Whether files (frames and a folder for them) or shapes are asked for.
-  static bool asked_for(const FemControls& controls);
+  static bool is_requested(const FemControls& controls);
 
   /// Frames are spread over 1.3 of `expected_contact` [s] and go on at that rate.
   FrameKeeper(const FemControls& controls, BodyDrawing drawing, double expected_contact);

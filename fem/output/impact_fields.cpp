@@ -23,21 +23,21 @@ BodyDrawing drawing_of(const Discretisation& body) {
 
 }  // namespace
 
-std::unique_ptr<ImpactFields> ImpactFields::asked_for(const FemProblem& problem,
-                                                      const Watched& watched,
-                                                      double expected_contact) {
-  if (!FrameKeeper::asked_for(problem.controls)) return nullptr;
-  return std::unique_ptr<ImpactFields>(new ImpactFields(problem, watched, expected_contact));
+std::unique_ptr<ImpactFields> ImpactFields::create_if_requested(const FemProblem& problem,
+                                                                const Observed& observed,
+                                                                double expected_contact) {
+  if (!FrameKeeper::is_requested(problem.controls)) return nullptr;
+  return std::unique_ptr<ImpactFields>(new ImpactFields(problem, observed, expected_contact));
 }
 
-ImpactFields::ImpactFields(const FemProblem& problem, const Watched& watched,
+ImpactFields::ImpactFields(const FemProblem& problem, const Observed& observed,
                            double expected_contact)
-    : body_(watched.body),
-      observer_(watched.body, watched.cells, watched.kernel, watched.material),
-      pressure_(contact_edges(corners_of(watched.body), watched.body.contact_nodes),
-                watched.body.position, pressure_window * expected_contact),
-      frames_(problem.controls, drawing_of(watched.body), expected_contact),
-      velocity_before_(watched.body.contact_nodes.size(), 0.0) {}
+    : body_(observed.body),
+      observer_(observed.body, observed.cells, observed.kernel, observed.material),
+      pressure_(contact_edges(corners_of(observed.body), observed.body.contact_nodes),
+                observed.body.position, pressure_window * expected_contact),
+      frames_(problem.controls, drawing_of(observed.body), expected_contact),
+      velocity_before_(observed.body.contact_nodes.size(), 0.0) {}
 
 void ImpactFields::see(double time, const BranchStep* branches, const CellMotion& motion,
                        const std::vector<double>& history) {

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
+#include "fem/interface/fem_problem.hpp"
 #include "fem/output/contact_pressure.hpp"
 #include "fem/output/field_observer.hpp"
 #include "fem/output/frame_keeper.hpp"
-#include "lumped/problem/fem_problem.hpp"
 
 namespace rebound::fem {
 
@@ -15,7 +15,7 @@ namespace rebound::fem {
 /// evaluation of every stress a step, and is not there unless asked for.
 class ImpactFields {
  public:
-  struct Watched {
+  struct Observed {
     const Discretisation& body;
     const CellBatches& cells;
     const CellKernel& kernel;
@@ -24,8 +24,9 @@ class ImpactFields {
 
   /// Null when `problem` asks for neither. Pressure is a mean over the last hundredth
   /// to fiftieth of `expected_contact` [s].
-  static std::unique_ptr<ImpactFields> asked_for(const FemProblem& problem, const Watched& watched,
-                                                 double expected_contact);
+  static std::unique_ptr<ImpactFields> create_if_requested(const FemProblem& problem,
+                                                           const Observed& observed,
+                                                           double expected_contact);
 
   /// Sees one instant, before the kernel's forces of it, and writes the frames that
   /// are due.
@@ -39,7 +40,7 @@ class ImpactFields {
   const ShapeHistory& shapes() const { return frames_.shapes(); }
 
  private:
-  ImpactFields(const FemProblem& problem, const Watched& watched, double expected_contact);
+  ImpactFields(const FemProblem& problem, const Observed& observed, double expected_contact);
 
   const Discretisation& body_;
   FieldObserver observer_;

@@ -5,8 +5,11 @@
 
 namespace rebound::fem {
 
-ShapeRecorder::ShapeRecorder(ShapeHistory at_rest, std::vector<std::array<double, 2>> rest, int parts)
-    : rest_(std::move(rest)), parts_(static_cast<std::size_t>(parts)), history_(std::move(at_rest)) {}
+ShapeRecorder::ShapeRecorder(ShapeHistory at_rest, std::vector<std::array<double, 2>> rest,
+                             int parts)
+    : rest_(std::move(rest)),
+      parts_(static_cast<std::size_t>(parts)),
+      history_(std::move(at_rest)) {}
 
 void ShapeRecorder::record(const FieldSnapshot& now) {
   std::vector<std::array<double, 2>> positions = rest_;
@@ -38,7 +41,8 @@ void ShapeRecorder::record_fields(const FieldSnapshot& now) {
   add(ShapeQuantity::pressure, [&](std::size_t c) { return state(c).pressure; });
   add(ShapeQuantity::stored, [&](std::size_t c) { return state(c).stored; });
   if (now.loss != Loss::none)
-    add(now.loss == Loss::dissipated ? ShapeQuantity::dissipated : ShapeQuantity::dissipated_or_held,
+    add(now.loss == Loss::dissipated ? ShapeQuantity::dissipated
+                                     : ShapeQuantity::dissipated_or_held,
         [&](std::size_t c) { return state(c).lost; });
   add(ShapeQuantity::speed, [&](std::size_t cell) {
     double r = 0.0, z = 0.0;

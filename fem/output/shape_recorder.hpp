@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/interface/fem_result.hpp"
 #include "fem/output/field_snapshot.hpp"
-#include "lumped/problem/result.hpp"
 
 namespace rebound::fem {
 

@@ -34,7 +34,8 @@ const char* type_name() {
 
 /// Count of bytes, then the bytes, as one stream of base64.
 template <class T>
-void add_array(std::string& text, const std::string& name, int components, std::span<const T> values) {
+void add_array(std::string& text, const std::string& name, int components,
+               std::span<const T> values) {
   const auto size = static_cast<std::uint32_t>(values.size_bytes());
   std::vector<unsigned char> bytes(sizeof size + size);
   std::memcpy(bytes.data(), &size, sizeof size);
@@ -49,7 +50,8 @@ void add_mesh(std::string& text, const VtuMesh& mesh) {
   points.reserve(3 * mesh.points.size());
   for (const auto& [r, z] : mesh.points)
     points.insert(points.end(), {static_cast<float>(r), static_cast<float>(z), 0.0f});
-  const std::size_t cells = mesh.connectivity.size() / static_cast<std::size_t>(mesh.nodes_per_cell);
+  const std::size_t cells =
+      mesh.connectivity.size() / static_cast<std::size_t>(mesh.nodes_per_cell);
   const std::vector<std::int32_t> nodes(mesh.connectivity.begin(), mesh.connectivity.end());
   std::vector<std::int32_t> offsets(cells);
   for (std::size_t i = 0; i < cells; ++i)
@@ -71,15 +73,19 @@ const char* byte_order() {
 }  // namespace
 
 std::string vtu_text(const VtuMesh& mesh, const VtuFrame& frame) {
-  const std::size_t cells = mesh.connectivity.size() / static_cast<std::size_t>(mesh.nodes_per_cell);
+  const std::size_t cells =
+      mesh.connectivity.size() / static_cast<std::size_t>(mesh.nodes_per_cell);
   std::string text =
-      std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-                  "byte_order=\"") +
+      std::string(
+          "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+          "byte_order=\"") +
       byte_order() + "\" header_type=\"UInt32\">\n<UnstructuredGrid>\n<FieldData>\n";
   char time[40];
   std::snprintf(time, sizeof time, "%.17g", frame.time);
-  text += std::string("<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                      "format=\"ascii\">") + time + "</DataArray>\n</FieldData>\n";
+  text += std::string(
+              "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+              "format=\"ascii\">") +
+          time + "</DataArray>\n</FieldData>\n";
   text += "<Piece NumberOfPoints=\"" + std::to_string(mesh.points.size()) + "\" NumberOfCells=\"" +
           std::to_string(cells) + "\">\n";
   add_mesh(text, mesh);
@@ -93,8 +99,9 @@ std::string vtu_text(const VtuMesh& mesh, const VtuFrame& frame) {
 }
 
 std::string pvd_text(const std::vector<std::pair<double, std::string>>& frames) {
-  std::string text = std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
-                                 "version=\"0.1\" byte_order=\"") +
+  std::string text = std::string(
+                         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+                         "version=\"0.1\" byte_order=\"") +
                      byte_order() + "\">\n<Collection>\n";
   for (const auto& [time, file] : frames) {
     char number[40];

@@ -9,24 +9,13 @@ namespace rebound {
 
 namespace {
 
-void require(bool fine, const std::string& key, double value, const std::string& allowed) {
-  if (fine) return;
-  throw Error(ExitCode::bad_input, "out of range: " + key + " = " + std::to_string(value),
-              {.key = key, .value = std::to_string(value), .allowed = allowed});
-}
-
 void check_plate(const Plate& plate) {
+  require_limits(plate, {"model.plate"});
   if (plate.friction != 0.0)
-    throw Error(ExitCode::bad_input,
-                "friction has no lumped form: a contact law's stiffness absorbs it; use the FE tier",
-                {.key = "model.plate.friction", .value = std::to_string(plate.friction),
-                 .allowed = "0"});
-  if (!plate.moves()) return;
-  require(plate.stiffness > 0.0, "model.plate.stiffness", plate.stiffness, "above 0 N/m");
-  require(plate.mass > 0.0 && std::isfinite(plate.mass), "model.plate.mass", plate.mass,
-          "above 0 kg");
-  require(plate.damping_ratio >= 0.0 && std::isfinite(plate.damping_ratio),
-          "model.plate.damping_ratio", plate.damping_ratio, "0 or above");
+    throw Error(
+        ExitCode::bad_input,
+        "friction has no lumped form: a contact law's stiffness absorbs it; use the FE tier",
+        {.key = "model.plate.friction", .value = number_text(plate.friction), .allowed = "0"});
 }
 
 /// A power of the deflection must not make the damping infinite at first touch.
@@ -38,26 +27,24 @@ void check_damping_exponent(const DampingFactors& factors, const AnyLaw& law, do
   };
   if (force(x) == 0.0 && force(radius) == 0.0) return;
   const double exponent = std::log2(force(2.0 * x) / force(x));
-  require(exponent + factors.exponent > -1e-9, "model.effect.size", factors.exponent,
-          "at least minus the damping's own exponent, " + std::to_string(-exponent));
+  if (!(exponent + factors.exponent > -1e-9))
+    refuse_value("model.effect.size", factors.exponent,
+                 "at least minus the damping's own exponent, " + number_text(-exponent));
 }
 
 }  // namespace
 
 void check_mechanisms(const Mechanisms& mechanisms, const AnyLaw& law, double radius) {
+  const KeyPath at{"model.mechanisms"};
+  require_limits(mechanisms, at);
+  require_limits(mechanisms.elastic, {"elastic", -1, &at});
+  require_limits(mechanisms.damping, {"damping", -1, &at});
+  require_limits(mechanisms.relaxation, {"relaxation", -1, &at});
+  require_limits(mechanisms.memory, {"memory", -1, &at});
+  require_limits(mechanisms.finite_sphere, {"finite_sphere", -1, &at});
+  require_limits(mechanisms.mode, {"mode", -1, &at});
   check_plate(mechanisms.plate);
   check_damping_exponent(mechanisms.damping, law, radius);
-  if (mechanisms.relaxation.ratio != 0.0)
-    require(mechanisms.relaxation.relaxation_time > 0.0, "model.effect.relaxation_time",
-            mechanisms.relaxation.relaxation_time, "above 0 s");
-  const double set = mechanisms.memory.permanent_set;
-  require(set >= 0.0 && set < 1.0, "model.effect.size", set, "0 <= value < 1");
-  const double hysteresis = mechanisms.memory.hysteresis;
-  require(hysteresis >= 0.0 && hysteresis <= 1.0, "model.effect.size", hysteresis, "[0, 1]");
-  const InternalMode& mode = mechanisms.mode;
-  require(mode.mass_fraction >= 0.0 && mode.mass_fraction < 1.0, "model.effect.size",
-          mode.mass_fraction, "0 <= value < 1");
-  require(mode.frequency > 0.0, "model.effect.frequency", mode.frequency, "above 0 Hz");
 }
 
 }  // namespace rebound

@@ -6,8 +6,8 @@
 namespace rebound {
 
 /// What the integrators need of a problem.
-/// Errors: Error(bad_input) for a tolerance outside [1e-13, 1e-4] or fewer
-/// than 50 samples; mass and speed are checked with the law.
+/// Errors: Error(bad_input) for controls outside their limits; mass and speed are checked with
+/// the law.
 ContactSetup checked_setup(const LumpedProblem& problem);
 
 }  // namespace rebound

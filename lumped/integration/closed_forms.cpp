@@ -46,8 +46,7 @@ ContactState KelvinVoigtImpact::at(double time) const {
 }
 
 double KelvinVoigtImpact::contact_time(SeparationRule rule) const {
-  if (rule == SeparationRule::zero_force)
-    return 2.0 * kelvin_voigt_half_phase(zeta_) / frequency_;
+  if (rule == SeparationRule::zero_force) return 2.0 * kelvin_voigt_half_phase(zeta_) / frequency_;
   kelvin_voigt_restitution(zeta_, rule);  // refuses the overdamped case
   return std::numbers::pi / (frequency_ * std::sqrt((1.0 - zeta_) * (1.0 + zeta_)));
 }
@@ -120,18 +119,19 @@ double HuntCrossleyImpact::time_to_peak() const {
 double HuntCrossleyImpact::contact_time() const {
   boost::math::quadrature::tanh_sinh<double> quadrature;
   const double rebound_speed = restitution_ * approach_.speed;
-  return time_to_peak() + quadrature.integrate(
-                              [&](double to_gain) {
-                                const double v = to_gain - rebound_speed;
-                                return approach_.mass / law_.force(unloading_deflection(to_gain), v);
-                              },
-                              0.0, rebound_speed);
+  return time_to_peak() +
+         quadrature.integrate(
+             [&](double to_gain) {
+               const double v = to_gain - rebound_speed;
+               return approach_.mass / law_.force(unloading_deflection(to_gain), v);
+             },
+             0.0, rebound_speed);
 }
 
 double HuntCrossleyImpact::peak_force() const {
   const auto negative_force = [&](double v) { return -law_.force(deflection(v), v); };
-  const auto lowest = boost::math::tools::brent_find_minima(
-      negative_force, 0.0, approach_.speed, std::numeric_limits<double>::digits);
+  const auto lowest = boost::math::tools::brent_find_minima(negative_force, 0.0, approach_.speed,
+                                                            std::numeric_limits<double>::digits);
   return -lowest.second;
 }
 

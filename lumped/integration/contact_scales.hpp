@@ -18,10 +18,10 @@ struct ContactScales {
 ///
 /// Errors: Error(solver_failed) when the sizes leave the range of numbers.
 template <class Law>
-  requires requires(const Law law, double x) {
-    law.elastic_energy(x);
-    law.elastic_force(x);
-  }
+requires requires(const Law law, double x) {
+  law.elastic_energy(x);
+  law.elastic_force(x);
+}
 ContactScales contact_scales(const Law& law, const ContactSetup& setup) {
   const double energy = 0.5 * setup.mass * setup.speed * setup.speed;
   double x = 1e-3;

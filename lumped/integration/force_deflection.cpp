@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "lumped/integration/checked_setup.hpp"
-#include "lumped/integration/composed_contact.hpp"
-#include "lumped/integration/composed_force_deflection.hpp"
+#include "lumped/integration/composed/composed_contact.hpp"
+#include "lumped/integration/composed/composed_force_deflection.hpp"
+#include "lumped/integration/fast/step_sensitivities.hpp"
 #include "lumped/integration/sensitivity_names.hpp"
-#include "lumped/integration/varied_step.hpp"
 #include "lumped/laws/make_law.hpp"
 
 namespace rebound {
@@ -25,16 +25,15 @@ struct Stretch {
 template <ContactLaw Law, std::size_t Width>
 class ForceDeflection {
  public:
-  using Point = VariedForce<Width>;
+  using Point = ForceWithSensitivities<Width>;
 
-  ForceDeflection(const Law& law, const ContactSetup& setup,
-                  const std::array<Direction, Width>& by)
+  ForceDeflection(const Law& law, const ContactSetup& setup, const std::array<Direction, Width>& by)
       : setup_(setup), run_(law, setup, by) {
     run_.integrate();
-    const auto knots = run_.knots();
-    steps_.reserve(knots.size());
-    for (std::size_t k = 0; k + 1 < knots.size(); ++k) steps_.emplace_back(law, run_, k, by);
-    while (knots[turn_ + 1].v > 0.0) ++turn_;
+    const auto step_ends = run_.step_ends();
+    steps_.reserve(step_ends.size());
+    for (std::size_t k = 0; k + 1 < step_ends.size(); ++k) steps_.emplace_back(law, run_, k, by);
+    while (step_ends[turn_ + 1].v > 0.0) ++turn_;
     const Septic& root = steps_[turn_].root();
     double low = 0.0, high = 1.0;  // bisection for v = 0: robust, and done once
     for (int i = 0; i < 54; ++i) {
@@ -50,8 +49,7 @@ class ForceDeflection {
             std::span<double> slopes) const {
     const std::size_t size = points.deflection.size();
     std::vector<double> root(size), fraction(size);
-    for (std::size_t i = 0; i < size; ++i)
-      root[i] = std::sqrt(std::max(0.0, points.deflection[i]));
+    for (std::size_t i = 0; i < size; ++i) root[i] = std::sqrt(std::max(0.0, points.deflection[i]));
     const auto put = [&](std::size_t i, const Point& point, const auto& slope_of) {
       force[i] = point.force.force;
       for (std::size_t j = 0; j < count; ++j) slopes[i * count + j] = slope_of(point, j);
@@ -68,15 +66,14 @@ class ForceDeflection {
       const Stretch stretch = stretch_from(i, root, points.branch);
       invert(stretch, root, fraction);
       for (; i < stretch.to; ++i)
-        put(i, steps_[stretch.step].at(fraction[i]), [&](const Point& p, std::size_t j) {
-          return p.at_fixed_deflection(j, setup_.mass);
-        });
+        put(i, steps_[stretch.step].at(fraction[i]),
+            [&](const Point& p, std::size_t j) { return p.at_fixed_deflection(j, setup_.mass); });
     }
   }
 
  private:
-  const Knot& open_end(Branch branch) const {
-    return branch == Branch::loading ? run_.knots().front() : run_.knots().back();
+  const StepEnd& open_end(Branch branch) const {
+    return branch == Branch::loading ? run_.step_ends().front() : run_.step_ends().back();
   }
   bool within(double u, Branch branch) const { return u < turning_ && u > open_end(branch).u; }
   Point outside(double u, Branch branch) const {
@@ -86,23 +83,23 @@ class ForceDeflection {
   /// Where the force is zero it stays so; at x = 0 only the speed there moves.
   double at_open_end(const Point& point, std::size_t direction) const {
     const bool at_zero_force = point.v < 0.0 && !run_.ended_at_zero_deflection();
-    return at_zero_force ? 0.0
-                         : point.force.by_speed * point.dv[direction] + point.by[direction];
+    return at_zero_force ? 0.0 : point.force.by_speed * point.dv[direction] + point.by[direction];
   }
 
   std::size_t step_of(double u, Branch branch) const {
-    const auto knots = run_.knots();
+    const auto step_ends = run_.step_ends();
     if (branch == Branch::loading) {
       std::size_t k = 0;
-      while (k < turn_ && knots[k + 1].u <= u) ++k;
+      while (k < turn_ && step_ends[k + 1].u <= u) ++k;
       return k;
     }
-    std::size_t k = knots.size() - 2;
-    while (k > turn_ && knots[k].u <= u) --k;
+    std::size_t k = step_ends.size() - 2;
+    while (k > turn_ && step_ends[k].u <= u) --k;
     return k;
   }
   bool on_step(double u, const Stretch& stretch) const {
-    const double left = run_.knots()[stretch.step].u, right = run_.knots()[stretch.step + 1].u;
+    const double left = run_.step_ends()[stretch.step].u,
+                 right = run_.step_ends()[stretch.step + 1].u;
     if (stretch.step == turn_)
       return u < turning_ && u > (stretch.branch == Branch::loading ? left : right);
     return u > std::min(left, right) && u <= std::max(left, right);
@@ -121,7 +118,8 @@ class ForceDeflection {
   void invert(const Stretch& stretch, const std::vector<double>& root,
               std::vector<double>& fraction) const {
     const Septic path = steps_[stretch.step].root();
-    const Knot &left = run_.knots()[stretch.step], &right = run_.knots()[stretch.step + 1];
+    const StepEnd &left = run_.step_ends()[stretch.step],
+                  &right = run_.step_ends()[stretch.step + 1];
     const double* const u = root.data();
     double* const s = fraction.data();
     if (stretch.step == turn_) {
@@ -154,10 +152,10 @@ class ForceDeflection {
 
   ContactSetup setup_;
   FastIntegrator<Law, Width> run_;
-  std::vector<VariedStep<Law, Width>> steps_;
-  std::size_t turn_ = 0;          ///< the step that contains the turning point
+  std::vector<StepWithSensitivities<Law, Width>> steps_;
+  std::size_t turn_ = 0;  ///< the step that contains the turning point
   double turning_fraction_ = 0.0;
-  double turning_ = 0.0;          ///< √x there
+  double turning_ = 0.0;  ///< √x there
 };
 
 }  // namespace
@@ -183,12 +181,13 @@ std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoin
   return forces;
 }
 
-VariedForces varied_forces_at(const LumpedProblem& problem, const DeflectionPoints& points,
-                              std::span<const Direction> by) {
+ForcesWithSensitivities forces_with_sensitivities_at(const LumpedProblem& problem,
+                                                     const DeflectionPoints& points,
+                                                     std::span<const Direction> by) {
   require_bare(problem);
   const ContactSetup setup = checked_setup(problem);
-  VariedForces forces{std::vector<double>(points.deflection.size()),
-                      std::vector<double>(points.deflection.size() * by.size())};
+  ForcesWithSensitivities forces{std::vector<double>(points.deflection.size()),
+                                 std::vector<double>(points.deflection.size() * by.size())};
   std::visit(
       [&]<class Law>(const Law& law) {
         with_width(by, [&]<std::size_t Width>(const std::array<Direction, Width>& filled) {

@@ -38,7 +38,7 @@ DeflectionPoints deflection_points(const Trace& trace);
 std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoints& points);
 
 /// Forces with their derivatives by a few parameters.
-struct VariedForces {
+struct ForcesWithSensitivities {
   std::vector<double> force;   ///< [N]
   std::vector<double> slopes;  ///< one row a point, one column a direction
 };
@@ -53,7 +53,8 @@ struct VariedForces {
 ///          -> test ForceDeflectionTest.SlopesAreThoseOfTheForces.
 /// Caution: infinite at the turning point of a damped law.
 /// Errors:  as simulate_fast(); Error(bad_input) for mechanisms beside the law.
-VariedForces varied_forces_at(const LumpedProblem& problem, const DeflectionPoints& points,
-                              std::span<const Direction> by);
+ForcesWithSensitivities forces_with_sensitivities_at(const LumpedProblem& problem,
+                                                     const DeflectionPoints& points,
+                                                     std::span<const Direction> by);
 
 }  // namespace rebound

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "lumped/integration/checked_setup.hpp"
-#include "lumped/integration/composed_contact.hpp"
-#include "lumped/integration/composed_integrator.hpp"
+#include "lumped/integration/composed/composed_contact.hpp"
+#include "lumped/integration/composed/composed_integrator.hpp"
+#include "lumped/integration/fast/step_sensitivities.hpp"
 #include "lumped/integration/sensitivity_names.hpp"
-#include "lumped/integration/varied_step.hpp"
 #include "lumped/laws/make_law.hpp"
 
 namespace rebound {
@@ -18,18 +18,18 @@ void fill(const Law& law, const ContactSetup& setup, const std::array<Direction,
           std::span<const double> instants, TimedForces& result) {
   FastIntegrator<Law, Width> run(law, setup, by);
   run.integrate();
-  const auto knots = run.knots();
-  std::vector<VariedStep<Law, Width>> steps;
-  steps.reserve(knots.size());
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) steps.emplace_back(law, run, k, by);
+  const auto step_ends = run.step_ends();
+  std::vector<StepWithSensitivities<Law, Width>> steps;
+  steps.reserve(step_ends.size());
+  for (std::size_t k = 0; k + 1 < step_ends.size(); ++k) steps.emplace_back(law, run, k, by);
   const std::size_t columns = result.slopes.size() / instants.size();
   std::size_t k = 0;
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const double instant = instants[i];
-    if (!(instant >= 0.0 && instant <= knots.back().t)) continue;
-    while (k > 0 && knots[k].t > instant) --k;
-    while (k + 1 < steps.size() && knots[k + 1].t <= instant) ++k;
-    const auto point = steps[k].at(fraction_at(knots[k], knots[k + 1], instant));
+    if (!(instant >= 0.0 && instant <= step_ends.back().t)) continue;
+    while (k > 0 && step_ends[k].t > instant) --k;
+    while (k + 1 < steps.size() && step_ends[k + 1].t <= instant) ++k;
+    const auto point = steps[k].at(fraction_at(step_ends[k], step_ends[k + 1], instant));
     result.force[i] = point.force.force;
     if (point.u > 0.0) result.rate[i] = point.rate(setup.mass) / (2.0 * point.u);
     for (std::size_t j = 0; j < columns; ++j)
@@ -46,11 +46,11 @@ TimedForces composed(const LumpedProblem& problem, std::span<const double> insta
   for (std::size_t i = 0; i < instants.size(); ++i) {
     if (!(instants[i] >= 0.0 && instants[i] <= end.time)) continue;
     const auto after = std::upper_bound(
-        run.knots().begin() + 1, run.knots().end(), instants[i],
-        [](double time, const ComposedKnot& knot) { return time < knot.time; });
-    const ComposedKnot& knot = *(after - 1);
+        run.step_ends().begin() + 1, run.step_ends().end(), instants[i],
+        [](double time, const ComposedStepEnd& step_end) { return time < step_end.time; });
+    const ComposedStepEnd& step_end = *(after - 1);
     result.force[i] = contact.instrument_force(
-        knot.phase, state_within(knot, (instants[i] - knot.time) / knot.length));
+        step_end.phase, state_within(step_end, (instants[i] - step_end.time) / step_end.length));
   }
   return result;
 }

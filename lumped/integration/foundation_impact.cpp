@@ -47,9 +47,10 @@ double ViscoelasticFoundation::advance(double approach, double dt) {
 
 FoundationImpact foundation_impact(const StandardLinearSphere& sphere, const Approach& approach,
                                    int steps_per_contact) {
-  const ElasticImpact slow = elastic_impact({.stiffness = sphere.stiffness, .damping = 0.0}, approach);
-  const ElasticImpact fast =
-      elastic_impact({.stiffness = sphere.stiffness * (1.0 + sphere.ratio), .damping = 0.0}, approach);
+  const ElasticImpact slow =
+      elastic_impact({.stiffness = sphere.stiffness, .damping = 0.0}, approach);
+  const ElasticImpact fast = elastic_impact(
+      {.stiffness = sphere.stiffness * (1.0 + sphere.ratio), .damping = 0.0}, approach);
   ViscoelasticFoundation foundation(sphere, 1.02 * slow.peak_deflection);
   const double dt = fast.contact_time / steps_per_contact;
   double h = 0.0, v = approach.speed, force = 0.0;

@@ -29,7 +29,7 @@ struct StandardLinearSphere {
 ///
 /// Valid:   x ≪ R; one loading and one unloading.
 /// Limit:   tables of Ting's integral solved separately, triangle and half-sine,
-///          and of impacts at six speeds -> verification rung e; ratio 0 is
+///          and of impacts at six speeds -> verification case e; ratio 0 is
 ///          Hertz -> test FoundationTest.WithoutBranchIsHertz.
 /// Caution: a check, not a law of the list: it costs milliseconds. A force with
 ///          one internal state (mechanism "relaxation") is the same while the

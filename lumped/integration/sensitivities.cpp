@@ -6,7 +6,7 @@
 
 #include "lumped/integration/checked_setup.hpp"
 #include "lumped/integration/contact_scales.hpp"
-#include "lumped/integration/cvode_solver.hpp"
+#include "lumped/integration/cvode/cvode_solver.hpp"
 #include "lumped/integration/sensitivity_names.hpp"
 #include "lumped/laws/make_law.hpp"
 
@@ -15,9 +15,9 @@ namespace rebound {
 namespace {
 
 /// x and v of one impact with their derivatives, by CVODES in time.
-class VariedContact {
+class ContactWithSensitivities {
  public:
-  explicit VariedContact(const LumpedProblem& problem)
+  explicit ContactWithSensitivities(const LumpedProblem& problem)
       : law_(make_law(problem.model, problem.impact, problem.sphere)),
         setup_(checked_setup(problem)),
         scales_(std::visit([&](const auto& l) { return contact_scales(l, setup_); }, law_)),
@@ -54,7 +54,7 @@ class VariedContact {
                       law_);
   }
   /// δF at fixed time.
-  double varied_force(const double* y, std::size_t i, const double* s) const {
+  double force_with_sensitivities(const double* y, std::size_t i, const double* s) const {
     const Local f = local(y);
     return f.by_x * s[x] + f.by_v * s[v] + forced(y, i);
   }
@@ -82,7 +82,7 @@ class VariedContact {
                 [this](const double* y, std::size_t i, const double* s, double* rate) {
                   const double mass = setup_.mass;
                   rate[x] = s[v];
-                  rate[v] = -varied_force(y, i, s) / mass;
+                  rate[v] = -force_with_sensitivities(y, i, s) / mass;
                   if (by_[i].of == Direction::Of::mass) rate[v] += local(y).force / (mass * mass);
                 }};
   }
@@ -122,7 +122,8 @@ class VariedContact {
       if (reached.events[force_turned]) read_peak_force();
       if (reached.events[turned]) read_peak_deflection();
       const bool at_zero = reached.events[left];
-      if (at_zero || (force_ends && reached.events[released])) return read_end(reached.time, at_zero);
+      if (at_zero || (force_ends && reached.events[released]))
+        return read_end(reached.time, at_zero);
     }
   }
   void read_peak_deflection() {
@@ -135,7 +136,8 @@ class VariedContact {
     if (force < result_.outcome.peak_force) return;
     result_.outcome.peak_force = force;
     for (std::size_t i = 0; i < by_.size(); ++i)
-      result_.slopes[i].peak_force = varied_force(solver_.state(), i, solver_.variation(i));
+      result_.slopes[i].peak_force =
+          force_with_sensitivities(solver_.state(), i, solver_.variation(i));
   }
   void read_end(double time, bool at_zero) {
     const double* y = solver_.state();
@@ -146,7 +148,7 @@ class VariedContact {
     for (std::size_t i = 0; i < by_.size(); ++i) {
       const double* s = solver_.variation(i);
       const double shift =
-          at_zero ? -s[x] / y[v] : -varied_force(y, i, s) / force_rate(y);
+          at_zero ? -s[x] / y[v] : -force_with_sensitivities(y, i, s) / force_rate(y);
       result_.slopes[i].contact_time = shift;
       const double v_shift = at_zero ? -local(y).force / setup_.mass * shift : 0.0;
       result_.slopes[i].restitution = -(s[v] + v_shift) / setup_.speed;
@@ -165,7 +167,7 @@ class VariedContact {
       result_.time.push_back(instant);
       result_.force.push_back(local(y).force);
       for (std::size_t j = 0; j < by_.size(); ++j)
-        result_.force_slopes[j].push_back(varied_force(y, j, solver_.variation(j)));
+        result_.force_slopes[j].push_back(force_with_sensitivities(y, j, solver_.variation(j)));
     }
   }
 
@@ -181,7 +183,7 @@ class VariedContact {
 
 Sensitivities sensitivities(const LumpedProblem& problem) {
   require_bare(problem);
-  return VariedContact(problem).run(problem.controls.samples);
+  return ContactWithSensitivities(problem).run(problem.controls.samples);
 }
 
 }  // namespace rebound

@@ -20,9 +20,9 @@ struct ImpactOutcome {
 struct Sensitivities {
   std::vector<std::string> by;  ///< names: parameters in the order of the card, "mass", "speed"
   ImpactOutcome outcome;
-  std::vector<ImpactOutcome> slopes;  ///< of the outcome, one a name; SI over SI
-  std::vector<double> time;           ///< equally spaced over the contact [s]
-  std::vector<double> force;          ///< [N]
+  std::vector<ImpactOutcome> slopes;              ///< of the outcome, one a name; SI over SI
+  std::vector<double> time;                       ///< equally spaced over the contact [s]
+  std::vector<double> force;                      ///< [N]
   std::vector<std::vector<double>> force_slopes;  ///< at fixed time, one column a name
 };
 

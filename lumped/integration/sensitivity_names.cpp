@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "lumped/integration/composed_contact.hpp"
+#include "lumped/integration/composed/composed_contact.hpp"
 #include "lumped/integration/sensitivities.hpp"
-#include "lumped/laws/laws.hpp"
+#include "lumped/laws/law_card.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -38,7 +38,8 @@ void require_bare(const LumpedProblem& problem) {
   if (!ComposedContact::needed(problem)) return;
   throw Error(ExitCode::bad_input,
               "sensitivities are those of a law alone, without mechanisms or a state of its own",
-              {.key = "model", .value = problem.model.law,
+              {.key = "model",
+               .value = problem.model.law,
                .allowed = "a law without memory and no effect"});
 }
 

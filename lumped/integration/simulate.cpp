@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "lumped/integration/checked_setup.hpp"
-#include "lumped/integration/composed_cvode.hpp"
-#include "lumped/integration/composed_integrator.hpp"
-#include "lumped/integration/cvode_integrator.hpp"
-#include "lumped/integration/fast_integrator.hpp"
+#include "lumped/integration/composed/composed_cvode.hpp"
+#include "lumped/integration/composed/composed_integrator.hpp"
+#include "lumped/integration/cvode/cvode_integrator.hpp"
+#include "lumped/integration/fast/fast_integrator.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/scalars.hpp"
 
@@ -15,7 +15,7 @@ namespace rebound {
 
 namespace {
 
-Closures close_books(const AnyLaw& law, const ContactSetup& setup, const ContactEnd& end) {
+Closures closures_of(const AnyLaw& law, const ContactSetup& setup, const ContactEnd& end) {
   const double brought = 0.5 * setup.mass * setup.speed * setup.speed;
   const double kept = 0.5 * setup.mass * end.velocity * end.velocity;
   const double stored =
@@ -39,8 +39,8 @@ LumpedResult simulate_composed(const LumpedProblem& problem) {
   const ComposedEnd end = integrator.integrate();
   result.trace = integrator.sample(problem.controls.samples);
   result.wall_seconds = seconds_since(start);
-  result.scalars = derive_scalars(result.trace, problem.impact, end.time,
-                                  -end.state[ComposedContact::velocity]);
+  result.scalars =
+      derive_scalars(result.trace, problem.impact, end.time, -end.state[ComposedContact::velocity]);
   result.closures = contact.closures(end.phase, end.state, end.time);
   return result;
 }
@@ -58,7 +58,7 @@ LumpedResult simulate(const LumpedProblem& problem) {
   result.trace = integrator.sample(end, problem.controls.samples);
   result.wall_seconds = seconds_since(start);
   result.scalars = derive_scalars(result.trace, problem.impact, end.time, -end.velocity);
-  result.closures = close_books(law, setup, end);
+  result.closures = closures_of(law, setup, end);
   return result;
 }
 
@@ -82,7 +82,7 @@ LumpedResult simulate_fast(const LumpedProblem& problem) {
       law);
   result.wall_seconds = seconds_since(start);
   result.scalars = derive_scalars(result.trace, problem.impact, end.time, -end.velocity);
-  result.closures = close_books(law, setup, end);
+  result.closures = closures_of(law, setup, end);
   return result;
 }
 

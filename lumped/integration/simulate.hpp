@@ -19,7 +19,7 @@ namespace rebound {
 ///   energy    |½ m v₁² + E(x₁) + D − ½ m v₀²| / ½ m v₀²,   Ḋ = F_d ẋ
 ///
 /// Caution: J and v obey one linear equation, so the impulse closure sees a
-///          wrong booking, not an inaccurate step; the energy closure sees
+///          wrong accounting, not an inaccurate step; the energy closure sees
 ///          both. Under the zero-force rule E(x₁) is energy the ball keeps and
 ///          loses later.
 /// Errors:  Error(bad_input) for parameters (see make_law) and controls out of
@@ -27,8 +27,8 @@ namespace rebound {
 LumpedResult simulate(const LumpedProblem& problem);
 
 /// The same by the fast integrator: the same result within the tolerance,
-/// some thirty times sooner; a composed contact in some 40 to 80 µs. Errors as simulate(), and Error(solver_failed)
-/// where the contact is too stiff for explicit steps.
+/// some thirty times sooner; a composed contact in some 40 to 80 µs. Errors as simulate(), and
+/// Error(solver_failed) where the contact is too stiff for explicit steps.
 LumpedResult simulate_fast(const LumpedProblem& problem);
 
 }  // namespace rebound

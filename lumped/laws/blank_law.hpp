@@ -6,48 +6,63 @@
 
 namespace rebound {
 
-/// A law to copy. It compiles, it runs, and it is in no list.
+// To add a law: bash comparisons/setup/new law NAME
+/// A law to copy. It compiles, it passes the battery, and it is in no list.
 ///
-///   F = κ x
+///   F = κ x + d ẋ
 ///
 ///   κ   stiffness   [N/m]
+///   d   damping     [N s/m]
 ///
 /// Valid:   where it holds, in dimensionless terms.
 /// Limit:   what it becomes when a parameter vanishes, and the test that shows it.
 /// Caution: where it misleads.
 /// Source:  who wrote it down, with the equation's number.
-///
-/// To add a law: copy this file, give it the name on its card, add it to the
-/// list in laws.hpp. Configuration, help, calibration and the test battery
-/// follow from the card.
 struct BlankLaw {
   double stiffness = 0.0;
+  double damping = 0.0;
 
   static LawCard card() {
     return {.name = "blank",
-            .equation = "F = stiffness x",
+            .equation = "F = stiffness x + damping x'",
             .source = "none: a law to copy",
-            .parameters = {{.name = "stiffness",
-                            .sentence = "Spring constant.",
-                            .dimension = [](const ParameterValues&) {
-                              return dimension::force / dimension::length;
-                            },
-                            .lowest = 0.0, .highest = 1e15, .lowest_allowed = false,
-                            .default_value = {}}},
-            .damping_parameter = ""};
+            .parameters =
+                {{.name = "stiffness",
+                  .sentence = "Spring constant.",
+                  .dimension =
+                      [](const ParameterValues&) { return dimension::force / dimension::length; },
+                  .range = above_up_to(0.0, 1e15),
+                  .default_value = {},
+                  .typical = 2.5e5},
+                 {.name = "damping",
+                  .sentence = "Dashpot constant.",
+                  .dimension =
+                      [](const ParameterValues&) { return dimension::force / dimension::speed; },
+                  .range = from_to(0.0, 1e15),
+                  .default_value = {},
+                  .typical = 60.0}},
+            .damping_parameter = "",
+            .loss_parameter = "damping"};
   }
   static BlankLaw from(const ParameterValues& values) {
-    return {.stiffness = values.at("stiffness")};
+    return {.stiffness = values.at("stiffness"), .damping = values.at("damping")};
   }
 
   double elastic_force(double x) const { return stiffness * x; }
-  double damping_force(double, double) const { return 0.0; }
+  double damping_force(double, double v) const { return damping * v; }
   double force(double x, double v) const { return elastic_force(x) + damping_force(x, v); }
-  ForceSlopes at_root(double u, double) const {
-    const double elastic = stiffness * u * std::abs(u);
-    return {.force = elastic, .damping = 0.0, .by_log_deflection = elastic, .by_speed = 0.0};
+  /// At u = sign(x) √|x|.
+  ForceSlopes at_root(double u, double v) const {
+    const double elastic = stiffness * u * std::abs(u), lost = damping * v;
+    return {.force = elastic + lost,
+            .damping = lost,
+            .by_log_deflection = elastic,
+            .by_speed = damping};
   }
-  double slope_by(std::size_t, double u, double) const { return u * std::abs(u); }
+  /// ∂F by the parameter of that place on the card.
+  double slope_by(std::size_t parameter, double u, double v) const {
+    return parameter == 0 ? u * std::abs(u) : v;
+  }
   double elastic_energy(double x) const { return 0.5 * stiffness * x * x; }
 };
 

@@ -11,11 +11,11 @@ namespace rebound {
 
 /// What a law may use to turn a restitution into its damping.
 struct DampingRequest {
-  std::string formula;             ///< name, e.g. "exact"
-  double restitution = 1.0;        ///< to be returned, in (0, 1] [-]
-  double mass = 0.0;               ///< [kg]
-  Impact impact;                   ///< approach speed and separation rule
-  ParameterValues parameters;      ///< all parameters but the damping, SI
+  std::string formula;         ///< name, e.g. "exact"
+  double restitution = 1.0;    ///< to be returned, in (0, 1] [-]
+  double mass = 0.0;           ///< [kg]
+  Impact impact;               ///< approach speed and separation rule
+  ParameterValues parameters;  ///< all parameters but the damping, SI
 };
 
 /// A force with what integrators need of its slopes, at one point of the motion.

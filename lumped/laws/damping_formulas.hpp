@@ -30,9 +30,10 @@ namespace rebound {
 struct DampingFormula {
   const char* name;
   double (*damping_number)(double restitution);  ///< p(e) = λ v₀/κ [-]
+  double returned_for_half;  ///< restitution that comes back when 0.5 is asked for, 4 digits [-]
 };
 
-/// The nine formulas, in the order above.
+/// All formulas; the list stands in damping_formulas.cpp and nowhere else.
 const std::vector<DampingFormula>& damping_formulas();
 
 /// Hunt–Crossley damping λ [N s/m^(n+1)] for stiffness κ [N/mⁿ].

@@ -11,22 +11,25 @@ LawCard EquivalentKelvinVoigt::card() {
   return {.name = "equivalent-kelvin-voigt",
           .equation = "F = stiffness xR^(n-1) x + damping xR^n x'",
           .source = "Hanley et al., sliotar core impact, Eqs (14)-(16)",
-          .parameters =
-              {hertz_exponent_card(),
-               stiffness_card("Hunt-Crossley stiffness that is linearised.",
-                              [](const ParameterValues& values) {
-                                return stiffness_dimension(values, "exponent", 1.5);
-                              }),
-               damping_card("Hunt-Crossley damping that is linearised.",
-                            [](const ParameterValues& values) {
-                              return damping_dimension(values, "exponent", 1.5);
-                            }),
-               {.name = "representative_deflection",
-                .sentence = "Deflection xR the law is frozen at; the paper takes the mean over "
-                            "the contact.",
-                .dimension = [](const ParameterValues&) { return dimension::length; },
-                .lowest = 0.0, .highest = 10.0, .lowest_allowed = false, .default_value = {}}},
-          .damping_parameter = "damping"};
+          .parameters = {hertz_exponent_card(),
+                         stiffness_card("Hunt-Crossley stiffness that is linearised.", 3.5e6,
+                                        [](const ParameterValues& values) {
+                                          return stiffness_dimension(values, "exponent", 1.5);
+                                        }),
+                         damping_card("Hunt-Crossley damping that is linearised.", 17.63e4,
+                                      [](const ParameterValues& values) {
+                                        return damping_dimension(values, "exponent", 1.5);
+                                      }),
+                         {.name = "representative_deflection",
+                          .sentence =
+                              "Deflection xR the law is frozen at; the paper takes the mean over "
+                              "the contact.",
+                          .dimension = [](const ParameterValues&) { return dimension::length; },
+                          .range = above_up_to(0.0, 10.0),
+                          .default_value = {},
+                          .typical = 3.97e-3}},
+          .damping_parameter = "damping",
+          .loss_parameter = "damping"};
 }
 
 EquivalentKelvinVoigt EquivalentKelvinVoigt::from(const ParameterValues& values) {

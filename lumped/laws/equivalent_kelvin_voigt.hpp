@@ -22,8 +22,8 @@ namespace rebound {
 ///          model, so this law predicts nothing by itself.
 /// Source:  Hanley et al., Eqs (14)–(16) of the sliotar core paper.
 struct EquivalentKelvinVoigt {
-  double linear_stiffness = 0.0;  ///< k_eq [N/m]
-  double linear_damping = 0.0;    ///< c_eq [N s/m]
+  double linear_stiffness = 0.0;           ///< k_eq [N/m]
+  double linear_damping = 0.0;             ///< c_eq [N s/m]
   double exponent = 1.5;                   ///< n
   double representative_deflection = 1.0;  ///< x_R [m]
 
@@ -45,8 +45,7 @@ struct EquivalentKelvinVoigt {
       case 0: return std::log(representative_deflection) * (elastic + lost);
       case 1: return x * std::pow(representative_deflection, exponent - 1.0);
       case 2: return v * std::pow(representative_deflection, exponent);
-      default:
-        return ((exponent - 1.0) * elastic + exponent * lost) / representative_deflection;
+      default: return ((exponent - 1.0) * elastic + exponent * lost) / representative_deflection;
     }
   }
   double elastic_energy(double x) const { return 0.5 * linear_stiffness * x * x; }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lumped/problem/error.hpp"
+#include "lumped/problem/lumped_problem.hpp"
 
 namespace rebound {
 
@@ -17,9 +18,7 @@ namespace {
 namespace tools = boost::math::tools;
 
 void require_restitution(double e) {
-  if (!(e >= 1e-6 && e <= 1.0))
-    throw Error(ExitCode::bad_input, "restitution out of range",
-                {.key = "restitution", .value = std::to_string(e), .allowed = "1e-6 <= e <= 1"});
+  require_in_range(limit_of<&LumpedModel::restitution>.range, e, {"model"}, "restitution");
 }
 
 /// s − (1 − e^{−s}), free of cancellation: −[ln(1−y) + y] with y = 1 − e^{−s}.
@@ -46,9 +45,9 @@ double hunt_crossley_restitution(double p) {
   // √(2A) and A + 1 bracket the root of s − 1 + e^{−s} = A.
   const auto residual = [&](double s) { return unloading_measure(s) - target; };
   std::uintmax_t iterations = 200;
-  const auto bracket = tools::toms748_solve(residual, std::sqrt(2.0 * target) * (1.0 - 1e-14),
-                                            target + 1.0, tools::eps_tolerance<double>(52),
-                                            iterations);
+  const auto bracket =
+      tools::toms748_solve(residual, std::sqrt(2.0 * target) * (1.0 - 1e-14), target + 1.0,
+                           tools::eps_tolerance<double>(52), iterations);
   return -std::expm1(-0.5 * (bracket.first + bracket.second)) / p;
 }
 
@@ -61,8 +60,8 @@ double hunt_crossley_damping_number(double e) {
   // is negative below the root and positive above it.
   const double guess = 1.5 * (1.0 - e) * (1.0 + e) * e / (1.0 + e * e * e);
   std::uintmax_t iterations = 200;
-  const auto bracket = tools::bracket_and_solve_root(
-      residual, guess, 2.0, true, tools::eps_tolerance<double>(52), iterations);
+  const auto bracket = tools::bracket_and_solve_root(residual, guess, 2.0, true,
+                                                     tools::eps_tolerance<double>(52), iterations);
   return number(0.5 * (bracket.first + bracket.second));
 }
 
@@ -97,8 +96,8 @@ double kelvin_voigt_damping_ratio(double e, SeparationRule rule) {
     return 2.0 * zeta * kelvin_voigt_half_phase(zeta) - loss;
   };
   std::uintmax_t iterations = 200;
-  const auto bracket = tools::bracket_and_solve_root(
-      residual, loss / std::numbers::pi, 2.0, true, tools::eps_tolerance<double>(52), iterations);
+  const auto bracket = tools::bracket_and_solve_root(residual, loss / std::numbers::pi, 2.0, true,
+                                                     tools::eps_tolerance<double>(52), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
 

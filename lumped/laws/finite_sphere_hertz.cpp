@@ -52,29 +52,34 @@ double finite_sphere_coefficient(double poisson_ratio) {
     return a.value + share * (b.value - a.value);
   }
   throw Error(ExitCode::bad_input, "no finite-sphere coefficient for this Poisson ratio",
-              {.key = "model.poisson_ratio", .value = std::to_string(poisson_ratio),
-               .allowed = "0.2 to 0.49"});
+              {.key = "model.poisson_ratio",
+               .value = std::to_string(poisson_ratio),
+               .allowed = allowed_text(limit_of<&FiniteSphere::poisson_ratio>.range, "")});
 }
 
 LawCard FiniteSphereHertz::card() {
   return {.name = "finite-sphere-hertz",
           .equation = "F = Fe + dissipation_time Fe' x',  x = (Fe/stiffness)^(2/3) - C Fe/(E R)",
           .source = "Hertz 1882 with the finite-sphere correction, Tatara 1991",
-          .parameters =
-              {stiffness_card("Hertz stiffness, (4/3) E/(1 - nu^2) sqrt(R).",
-                              [](const ParameterValues& values) {
-                                return stiffness_dimension(values, "", 1.5);
-                              }),
-               dissipation_time_card(),
-               {.name = "poisson_ratio",
-                .sentence = "Sets the size of the correction.",
-                .dimension = [](const ParameterValues&) { return dimension::none; },
-                .lowest = 0.2, .highest = 0.49, .lowest_allowed = true, .default_value = 0.4},
-               {.name = "radius",
-                .sentence = "Radius the correction is for; 0: that of the sphere.",
-                .dimension = [](const ParameterValues&) { return dimension::length; },
-                .lowest = 0.0, .highest = 1e6, .lowest_allowed = true, .default_value = 0.0}},
-          .damping_parameter = ""};
+          .parameters = {stiffness_card("Hertz stiffness, (4/3) E/(1 - nu^2) sqrt(R).", 3.5e6,
+                                        [](const ParameterValues& values) {
+                                          return stiffness_dimension(values, "", 1.5);
+                                        }),
+                         dissipation_time_card(1.0e-4),
+                         {.name = "poisson_ratio",
+                          .sentence = "Sets the size of the correction.",
+                          .dimension = [](const ParameterValues&) { return dimension::none; },
+                          .range = limit_of<&FiniteSphere::poisson_ratio>.range,
+                          .default_value = 0.4,
+                          .typical = 0.4},
+                         {.name = "radius",
+                          .sentence = "Radius the correction is for; 0: that of the sphere.",
+                          .dimension = [](const ParameterValues&) { return dimension::length; },
+                          .range = from_to(0.0, 1e6),
+                          .default_value = 0.0,
+                          .typical = 0.0331}},
+          .damping_parameter = "",
+          .loss_parameter = "dissipation_time"};
 }
 
 void FiniteSphereHertz::complete(ParameterValues& values, const Sphere& sphere) {

@@ -31,17 +31,17 @@ namespace rebound {
 ///          order of the correction, so that C belongs to the whole stress law and not to ν
 ///          alone: at a/R = 0.05, ν = 0.4, FE finds 0.35 for a neo-Hookean ball, 0.30 and
 ///          0.46 for hyperfoams of exponent 8 and -8 with the same moduli
-///          -> test RungC.TheCorrectionBelongsToTheLawAndHertzToAll.
+///          -> test VerificationCaseC.TheCorrectionBelongsToTheLawAndHertzToAll.
 /// Source:  C: axisymmetric linear-elastic computations of a sphere on one
 ///          plate, load balanced by a uniform body force, at a/R = 0.2; scatter
 ///          ±0.005. Tatara 1991 for the form.
 struct FiniteSphereHertz {
   double stiffness = 0.0;
   double dissipation_time = 0.0;
-  double correction = 0.0;          ///< g/√x [m^-0.5]
-  double last_deflection = 0.0;     ///< where the power law takes over [m]
-  double radius = 1.0;              ///< R [m]
-  double poisson_slope = 0.0;       ///< d ln g/dν [-]
+  double correction = 0.0;       ///< g/√x [m^-0.5]
+  double last_deflection = 0.0;  ///< where the power law takes over [m]
+  double radius = 1.0;           ///< R [m]
+  double poisson_slope = 0.0;    ///< d ln g/dν [-]
 
   static LawCard card();
   static FiniteSphereHertz from(const ParameterValues& values);

@@ -41,9 +41,7 @@ struct HertzDamped {
   double slope_by(std::size_t parameter, double u, double v) const {
     return parameter == 0 ? u * u * u : std::abs(u) * v;
   }
-  double elastic_energy(double x) const {
-    return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
-  }
+  double elastic_energy(double x) const { return 0.4 * stiffness * x * x * std::sqrt(std::abs(x)); }
 };
 
 static_assert(ContactLaw<HertzDamped>);

@@ -31,9 +31,7 @@ struct HuntCrossley {
   /// Every name of damping_formulas.hpp.
   static double damping_for(const DampingRequest& request);
 
-  double elastic_force(double x) const {
-    return std::copysign(stiffness * power(std::abs(x)), x);
-  }
+  double elastic_force(double x) const { return std::copysign(stiffness * power(std::abs(x)), x); }
   double damping_force(double x, double v) const { return damping * power(std::abs(x)) * v; }
   double force(double x, double v) const {
     const double xn = power(std::abs(x));

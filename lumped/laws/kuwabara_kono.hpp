@@ -48,9 +48,7 @@ struct KuwabaraKono {
     if (parameter == 0) return u * u * u + 1.5 * dissipation_time * std::abs(u) * v;
     return 1.5 * stiffness * std::abs(u) * v;
   }
-  double elastic_energy(double x) const {
-    return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
-  }
+  double elastic_energy(double x) const { return 0.4 * stiffness * x * x * std::sqrt(std::abs(x)); }
 };
 
 static_assert(ContactLaw<KuwabaraKono>);

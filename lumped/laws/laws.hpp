@@ -5,23 +5,21 @@
 #include <variant>
 #include <vector>
 
-#include "lumped/laws/equivalent_kelvin_voigt.hpp"
-#include "lumped/laws/finite_sphere_hertz.hpp"
-#include "lumped/laws/hertz_damped.hpp"
-#include "lumped/laws/hunt_crossley.hpp"
-#include "lumped/laws/kuwabara_kono.hpp"
-#include "lumped/laws/linear_kelvin_voigt.hpp"
-#include "lumped/laws/power_law.hpp"
-#include "lumped/laws/standard_linear_solid.hpp"
-#include "lumped/laws/tsuji.hpp"
+#include "lumped/laws/law_card.hpp"
+#include "lumped/laws/law_headers.hpp"  // written by CMake from laws.inc
 
 namespace rebound {
 
-/// The list of contact laws. A law that stands here is known to the
-/// configuration, the help, calibration, the integrators and the tests.
-using AnyLaw =
-    std::variant<LinearKelvinVoigt, EquivalentKelvinVoigt, HuntCrossley, HertzDamped, PowerLaw,
-                 KuwabaraKono, Tsuji, FiniteSphereHertz, StandardLinearSolid>;
+template <class, class... Laws>
+using VariantOf = std::variant<Laws...>;
+
+#define REBOUND_LAW(Law) , Law
+/// Any law of the list. What stands in laws.inc is known to the configuration,
+/// the help, calibration, the integrators and the tests.
+using AnyLaw = VariantOf<void
+#include "lumped/laws/laws.inc"
+                         >;
+#undef REBOUND_LAW
 
 /// Calls `visit.template operator()<Law>()` for every law of the list.
 template <class Visitor>
@@ -30,9 +28,6 @@ void for_each_law(Visitor&& visit) {
     (visit.template operator()<Laws>(), ...);
   }(std::type_identity<AnyLaw>{});
 }
-
-/// Cards of all laws, in the order of the list.
-const std::vector<LawCard>& all_laws();
 
 /// Calls `visit.template operator()<Law>()` for the law of that name alone.
 template <class Visitor>
@@ -43,13 +38,10 @@ void for_law(const std::string& name, Visitor&& visit) {
   });
 }
 
-/// Does the law carry a state of its own, a relaxing branch? Then it is integrated as a
-/// composed contact, and its `force` is the part without the state.
+/// has_branch() of a type.
 template <class Law>
-inline constexpr bool law_has_branch = requires(const Law law) { law.branch(); };
-bool has_branch(const std::string& law);
-
-/// Errors: Error(bad_input) with the names there are.
-const LawCard& find_law(const std::string& name);
+inline constexpr bool law_has_branch = requires(const Law law) {
+  law.branch();
+};
 
 }  // namespace rebound

@@ -23,29 +23,44 @@ Dimension damping_dimension(const ParameterValues& values, const char* exponent_
   return dimension::force / power(dimension::length, n) / dimension::speed;
 }
 
-ParameterCard stiffness_card(const char* sentence, Dimension (*dimension)(const ParameterValues&)) {
-  return {.name = "stiffness", .sentence = sentence, .dimension = dimension, .lowest = 0.0,
-          .highest = 1e15, .lowest_allowed = false, .default_value = {}};
+ParameterCard stiffness_card(const char* sentence, double typical,
+                             Dimension (*dimension)(const ParameterValues&)) {
+  return {.name = "stiffness",
+          .sentence = sentence,
+          .dimension = dimension,
+          .range = above_up_to(0.0, 1e15),
+          .default_value = {},
+          .typical = typical};
 }
 
-ParameterCard damping_card(const char* sentence, Dimension (*dimension)(const ParameterValues&)) {
-  return {.name = "damping", .sentence = sentence, .dimension = dimension, .lowest = 0.0,
-          .highest = 1e15, .lowest_allowed = true, .default_value = {}};
+ParameterCard damping_card(const char* sentence, double typical,
+                           Dimension (*dimension)(const ParameterValues&)) {
+  return {.name = "damping",
+          .sentence = sentence,
+          .dimension = dimension,
+          .range = from_to(0.0, 1e15),
+          .default_value = {},
+          .typical = typical};
 }
 
-ParameterCard dissipation_time_card() {
+ParameterCard dissipation_time_card(double typical) {
   return {.name = "dissipation_time",
-          .sentence = "Viscous over elastic modulus of the material; its loss tangent over the "
-                      "angular frequency.",
+          .sentence =
+              "Viscous over elastic modulus of the material; its loss tangent over the "
+              "angular frequency.",
           .dimension = [](const ParameterValues&) { return dimension::time; },
-          .lowest = 0.0, .highest = 1e6, .lowest_allowed = true, .default_value = {}};
+          .range = from_to(0.0, 1e6),
+          .default_value = {},
+          .typical = typical};
 }
 
 ParameterCard hertz_exponent_card() {
   return {.name = "exponent",
           .sentence = "Power n of the deflection; 1.5 is Hertz's sphere on a plane.",
           .dimension = [](const ParameterValues&) { return dimension::none; },
-          .lowest = 0.5, .highest = 5.0, .lowest_allowed = true, .default_value = 1.5};
+          .range = from_to(0.5, 5.0),
+          .default_value = 1.5,
+          .typical = 1.5};
 }
 
 }  // namespace rebound

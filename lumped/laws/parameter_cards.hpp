@@ -13,10 +13,12 @@ Dimension stiffness_dimension(const ParameterValues& values, const char* exponen
 Dimension damping_dimension(const ParameterValues& values, const char* exponent_name,
                             double default_exponent, double offset = 0.0);
 
-ParameterCard stiffness_card(const char* sentence, Dimension (*dimension)(const ParameterValues&));
-ParameterCard damping_card(const char* sentence, Dimension (*dimension)(const ParameterValues&));
+ParameterCard stiffness_card(const char* sentence, double typical,
+                             Dimension (*dimension)(const ParameterValues&));
+ParameterCard damping_card(const char* sentence, double typical,
+                           Dimension (*dimension)(const ParameterValues&));
 /// The dissipation time A of a damping A dF_e/dx ẋ.
-ParameterCard dissipation_time_card();
+ParameterCard dissipation_time_card(double typical);
 /// The exponent n of x^n in Hunt–Crossley and its equivalent, 1.5 by default.
 ParameterCard hertz_exponent_card();
 

@@ -53,6 +53,8 @@ class Power {
 };
 
 /// ln x for x = u² > 0, and 0 at x = 0, where it only ever stands beside a vanishing power.
-inline double log_of_root(double u) { return u == 0.0 ? 0.0 : 2.0 * std::log(std::abs(u)); }
+inline double log_of_root(double u) {
+  return u == 0.0 ? 0.0 : 2.0 * std::log(std::abs(u));
+}
 
 }  // namespace rebound

@@ -48,8 +48,7 @@ struct PowerLaw {
     const double size = std::abs(u);
     switch (parameter) {
       case 0: return damping * damping_power.of_root(size) * v * log_of_root(u);
-      case 1:
-        return std::copysign(stiffness * elastic_power.of_root(size), u) * log_of_root(u);
+      case 1: return std::copysign(stiffness * elastic_power.of_root(size), u) * log_of_root(u);
       case 2: return std::copysign(elastic_power.of_root(size), u);
       default: return damping_power.of_root(size) * v;
     }

@@ -17,7 +17,7 @@ namespace rebound {
 ///   τ   relaxation time                               [s]
 ///
 /// Valid:   while the contact grows this is Lee and Radok's integral exactly
-///          -> test RungE.TheLawIsExactWhileTheContactGrows.
+///          -> test VerificationCaseE.TheLawIsExactWhileTheContactGrows.
 /// Limit:   s = 0, or τ far below the contact time, is Hertz of κ; τ far above it, Hertz
 ///          of (1 + s) κ -> tests StandardLinearSolidTest.NoBranchIsHertz, SlowBranchIsStiffer.
 /// Caution: while the contact shrinks Ting's integral forgets the area that has let go, and
@@ -33,9 +33,7 @@ struct StandardLinearSolid {
   static LawCard card();
   static StandardLinearSolid from(const ParameterValues& values);
 
-  RelaxationBranch branch() const {
-    return {.ratio = ratio, .relaxation_time = relaxation_time};
-  }
+  RelaxationBranch branch() const { return {.ratio = ratio, .relaxation_time = relaxation_time}; }
   double elastic_force(double x) const { return stiffness * x * std::sqrt(std::abs(x)); }
   double damping_force(double, double) const { return 0.0; }
   double force(double x, double) const { return elastic_force(x); }
@@ -46,9 +44,7 @@ struct StandardLinearSolid {
   double slope_by(std::size_t parameter, double u, double) const {
     return parameter == 0 ? u * u * u : 0.0;
   }
-  double elastic_energy(double x) const {
-    return 0.4 * stiffness * x * x * std::sqrt(std::abs(x));
-  }
+  double elastic_energy(double x) const { return 0.4 * stiffness * x * x * std::sqrt(std::abs(x)); }
 };
 
 static_assert(ContactLaw<StandardLinearSolid>);

@@ -33,8 +33,8 @@ double damping_force(const Law& law, const DampingFactors& factors, double radiu
     force = law.damping_force(x, rate);
   }
   if (factors.velocity_exponent != 0.0)
-    force *= rate == 0.0 ? 0.0 : std::pow(std::abs(rate) / reference_speed,
-                                          factors.velocity_exponent);
+    force *=
+        rate == 0.0 ? 0.0 : std::pow(std::abs(rate) / reference_speed, factors.velocity_exponent);
   return force + factors.dashpot * rate;
 }
 

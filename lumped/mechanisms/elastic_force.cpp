@@ -39,7 +39,8 @@ ElasticForce::ElasticForce(const AnyLaw& law, const Mechanisms& mechanisms, cons
     throw Error(ExitCode::bad_input,
                 "the elastic force would not vanish at first touch: the law's exponent is " +
                     std::to_string(exponent),
-                {.key = "model.effect.size", .value = std::to_string(factors_.exponent),
+                {.key = "model.effect.size",
+                 .value = std::to_string(factors_.exponent),
                  .allowed = "a sum of both above 0"});
 }
 
@@ -51,8 +52,7 @@ double ElasticForce::elastic_force(double x) const {
 
 double ElasticForce::elastic_energy(double x) const {
   if (!varying_)
-    return rate_factor_ *
-           std::visit([x](const auto& l) { return l.elastic_energy(x); }, law_);
+    return rate_factor_ * std::visit([x](const auto& l) { return l.elastic_energy(x); }, law_);
   return Gauss::integrate([&](double u) { return 2.0 * u * elastic_force(u * u); }, 0.0,
                           std::sqrt(std::abs(x)));
 }

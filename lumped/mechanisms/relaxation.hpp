@@ -16,7 +16,7 @@
 ///          -> tests RelaxationTest.SlowBranchIsStiffness, FastBranchIsNothing.
 /// Caution: the force falls to zero at x > 0: the ball leaves a dent that
 ///          recovers later. What is in a branch has no energy function; its
-///          work is booked whole, held or dissipated.
+///          work is counted whole, held or dissipated.
 /// Errors:  explicit steps run out for τ far below the contact time.
 /// Source:  standard linear solid on a non-linear spring, e.g. Fung 1993.
 namespace rebound {

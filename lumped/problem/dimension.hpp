@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace rebound {
 
 /// Physical dimension kg^a m^b s^c. Exponents may be fractions: a contact
@@ -17,6 +19,12 @@ struct Dimension {
     return {a.kilogram - b.kilogram, a.metre - b.metre, a.second - b.second};
   }
 };
+
+/// Equal but for rounding: an exponent may be 1 − 2.2.
+bool same_dimension(const Dimension& a, const Dimension& b);
+
+/// The unit a dimension is usually written in: "N/m^1.5", "Pa", "m/s".
+std::string unit_name(const Dimension& dimension);
 
 constexpr Dimension power(Dimension d, double n) {
   return {d.kilogram * n, d.metre * n, d.second * n};

@@ -18,6 +18,10 @@ struct ParametersAtSpeed {
   double speed = 0.0;  ///< [m/s]
   ParameterValues parameters;
 
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&ParametersAtSpeed::speed, "speed", "m/s", limit_of<&Impact::speed>.range}};
+  }
   friend bool operator==(const ParametersAtSpeed&, const ParametersAtSpeed&) = default;
 };
 
@@ -28,12 +32,19 @@ struct ParametersAtSpeed {
 struct LumpedModel {
   std::string law = "hunt-crossley";
   ParameterValues parameters;
-  std::optional<double> restitution;  ///< design restitution, in (0, 1)
+  std::optional<double> restitution;  ///< design restitution [-]
   std::string damping_formula;        ///< empty when damping is given
   /// s in λ = (1 − s) λ(formula) + s λ(exact); of account beside a restitution only [-]
   double exact_damping_share = 0.0;
   std::vector<ParametersAtSpeed> at_speed;
-  Mechanisms mechanisms;              ///< what acts beside the law
+  Mechanisms mechanisms;  ///< what acts beside the law
+
+  /// Below 1e-6 the exact formula has no root in double precision.
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&LumpedModel::restitution, "restitution", "", from_to(1e-6, 1.0)},
+        Limit{&LumpedModel::exact_damping_share, "exact_damping_share", "", from_to(0.0, 1.0)}};
+  }
 
   friend bool operator==(const LumpedModel&, const LumpedModel&) = default;
 };
@@ -42,6 +53,13 @@ struct LumpedModel {
 struct LumpedControls {
   double relative_tolerance = 1e-9;
   int samples = 401;  ///< equally spaced over the contact, both ends included
+
+  /// Fewer samples leave the parabola through the highest one a poor peak.
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&LumpedControls::relative_tolerance, "relative_tolerance", "", from_to(1e-13, 1e-4)},
+        Limit{&LumpedControls::samples, "samples", "", from_to(50.0, 1e6)}};
+  }
 
   friend bool operator==(const LumpedControls&, const LumpedControls&) = default;
 };

@@ -11,13 +11,22 @@ namespace rebound {
 
 /// Factors on F_e(x), all multiplied.
 struct ElasticFactors {
-  double exponent = 0.0;         ///< a in (x/x_r)^a [-]
-  double stiffening = 0.0;       ///< b in 1 + b x/R [-]
-  double softening = 0.0;        ///< c in 1 − c [1 − e^(−20 x/R)] [-]
-  double densification = 0.0;    ///< d in 1 + d ⟨x/R − ¼⟩² [-]
-  double layer = 0.0;            ///< l in 1 + l e^(−10 x/R) [-]
-  double rate_exponent = 0.0;    ///< r in (v₀/v_r)^r [-]
+  double exponent = 0.0;       ///< a in (x/x_r)^a [-]
+  double stiffening = 0.0;     ///< b in 1 + b x/R [-]
+  double softening = 0.0;      ///< c in 1 − c [1 − e^(−20 x/R)] [-]
+  double densification = 0.0;  ///< d in 1 + d ⟨x/R − ¼⟩² [-]
+  double layer = 0.0;          ///< l in 1 + l e^(−10 x/R) [-]
+  double rate_exponent = 0.0;  ///< r in (v₀/v_r)^r [-]
 
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&ElasticFactors::exponent, "exponent", "", from_to(-1.0, 2.0)},
+        Limit{&ElasticFactors::stiffening, "stiffening", "", from_to(0.0, 100.0)},
+        Limit{&ElasticFactors::softening, "softening", "", from_to(0.0, 0.95)},
+        Limit{&ElasticFactors::densification, "densification", "", from_to(0.0, 1e5)},
+        Limit{&ElasticFactors::layer, "layer", "", from_to(-0.9, 50.0)},
+        Limit{&ElasticFactors::rate_exponent, "rate_exponent", "", from_to(-1.0, 2.0)}};
+  }
   friend bool operator==(const ElasticFactors&, const ElasticFactors&) = default;
 };
 
@@ -27,6 +36,12 @@ struct DampingFactors {
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
 
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&DampingFactors::exponent, "exponent", "", from_to(-2.0, 3.0)},
+        Limit{&DampingFactors::velocity_exponent, "velocity_exponent", "", from_to(-0.9, 3.0)},
+        Limit{&DampingFactors::dashpot, "dashpot", "N.s/m", from_to(0.0, 1e6)}};
+  }
   friend bool operator==(const DampingFactors&, const DampingFactors&) = default;
 };
 
@@ -35,6 +50,11 @@ struct RelaxationBranch {
   double ratio = 0.0;            ///< s, over the long-term force [-]
   double relaxation_time = 1.0;  ///< τ [s]
 
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&RelaxationBranch::ratio, "ratio", "", from_to(0.0, 20.0)},
+        Limit{&RelaxationBranch::relaxation_time, "relaxation_time", "s", from_to(1e-7, 1e9)}};
+  }
   friend bool operator==(const RelaxationBranch&, const RelaxationBranch&) = default;
 };
 
@@ -43,6 +63,11 @@ struct UnloadingMemory {
   double hysteresis = 0.0;     ///< s in F_e [1 − s (1 − x/x_max)] [-]
   double permanent_set = 0.0;  ///< residual over largest deflection [-]
 
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&UnloadingMemory::hysteresis, "hysteresis", "", from_to(0.0, 1.0)},
+        Limit{&UnloadingMemory::permanent_set, "permanent_set", "", from_to(0.0, 0.9)}};
+  }
   friend bool operator==(const UnloadingMemory&, const UnloadingMemory&) = default;
 };
 
@@ -51,6 +76,10 @@ struct FiniteSphere {
   double share = 0.0;  ///< 1: the correction acts, 0: not [-]
   double poisson_ratio = 0.4;
 
+  static constexpr auto limits() {
+    return std::tuple{Limit{&FiniteSphere::share, "share", "", from_to(0.0, 1.0)},
+                      Limit{&FiniteSphere::poisson_ratio, "poisson_ratio", "", from_to(0.2, 0.49)}};
+  }
   friend bool operator==(const FiniteSphere&, const FiniteSphere&) = default;
 };
 
@@ -60,6 +89,11 @@ struct InternalMode {
   double frequency = 1.0;      ///< of the free ball [Hz]
   double damping_ratio = 0.0;  ///< [-]
 
+  static constexpr auto limits() {
+    return std::tuple{Limit{&InternalMode::mass_fraction, "mass_fraction", "", from_to(0.0, 0.8)},
+                      Limit{&InternalMode::frequency, "frequency", "Hz", from_to(1.0, 1e7)},
+                      Limit{&InternalMode::damping_ratio, "damping_ratio", "", from_to(0.0, 2.0)}};
+  }
   friend bool operator==(const InternalMode&, const InternalMode&) = default;
 };
 
@@ -74,14 +108,17 @@ struct Mechanisms {
   double adhesion = 0.0;  ///< work of adhesion [J/m²]
   double gravity = 0.0;   ///< towards the plate [m/s²]
 
+  static constexpr auto limits() {
+    return std::tuple{Limit{&Mechanisms::adhesion, "adhesion", "J/m^2", from_to(0.0, 1e5)},
+                      Limit{&Mechanisms::gravity, "gravity", "m/s^2", at_least(0.0)}};
+  }
   friend bool operator==(const Mechanisms&, const Mechanisms&) = default;
 
   /// Is there anything that the bare law does not do?
   bool act() const {
     return elastic != ElasticFactors{} || damping != DampingFactors{} || relaxation.ratio != 0.0 ||
-           memory != UnloadingMemory{} || finite_sphere.share != 0.0 ||
-           mode.mass_fraction != 0.0 || plate.moves() || plate.friction != 0.0 ||
-           adhesion != 0.0 || gravity != 0.0;
+           memory != UnloadingMemory{} || finite_sphere.share != 0.0 || mode.mass_fraction != 0.0 ||
+           plate.moves() || plate.friction != 0.0 || adhesion != 0.0 || gravity != 0.0;
   }
 };
 

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "lumped/problem/validity.hpp"
+
 namespace rebound {
 
 /// What the ball hits. At the defaults rigid, at rest for good, frictionless.
@@ -21,6 +23,13 @@ struct Plate {
 
   bool moves() const { return stiffness < std::numeric_limits<double>::infinity(); }
 
+  static constexpr auto limits() {
+    constexpr double rigid = std::numeric_limits<double>::infinity();
+    return std::tuple{Limit{&Plate::stiffness, "stiffness", "MN/m", above(0.0), rigid},
+                      Limit{&Plate::mass, "mass", "kg", from_to(1e-6, 1e6)},
+                      Limit{&Plate::damping_ratio, "damping_ratio", "", from_to(0.0, 10.0)},
+                      Limit{&Plate::friction, "friction", "", from_to(0.0, 5.0), 0.0}};
+  }
   friend bool operator==(const Plate&, const Plate&) = default;
 };
 

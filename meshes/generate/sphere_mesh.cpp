@@ -31,8 +31,8 @@ struct Blocks {
 
 Blocks blocks_for(int cells) {
   Blocks blocks;
-  blocks.core =
-      std::max(1, static_cast<int>(std::lround(std::sqrt(cells / (2.0 + 4.0 * rings_per_core_cell)))));
+  blocks.core = std::max(
+      1, static_cast<int>(std::lround(std::sqrt(cells / (2.0 + 4.0 * rings_per_core_cell)))));
   const double left = cells - 2.0 * blocks.core * blocks.core;
   blocks.rings = std::max(1, static_cast<int>(std::lround(left / (4.0 * blocks.core))));
   return blocks;
@@ -52,7 +52,8 @@ class Disc {
       const double angle = std::numbers::pi * k / (4.0 * n);
       const Point on_circle(std::sin(angle), -std::cos(angle));
       for (int ring = 1; ring <= blocks.rings; ++ring)
-        places_.push_back(inside + (on_circle - inside) * (static_cast<double>(ring) / blocks.rings));
+        places_.push_back(inside +
+                          (on_circle - inside) * (static_cast<double>(ring) / blocks.rings));
     }
   }
 
@@ -104,23 +105,25 @@ void add_cells(Mesh& mesh, const Disc& disc, const Blocks& blocks) {
                             disc.around(k + 1, ring), disc.around(k, ring)});
 }
 
-/// Möbius draw of a grading.
+/// Möbius grading of a grading.
 double draw_of(double grading) {
   const double root = std::sqrt(grading);
   return (root - 1.0) / (root + 1.0);
 }
 
 /// Boundary vertex, counted from the pole, that becomes the corner of the lower
-/// half: the one nearest to where the draw leaves it.
-int corner_for(double draw, int count) {
-  const double angle = 0.5 * std::numbers::pi + 2.0 * std::atan(draw);
-  return std::clamp(static_cast<int>(std::lround(angle / std::numbers::pi * count)), count / 2, count - 1);
+/// half: the one nearest to where the grading leaves it.
+int corner_for(double grading, int count) {
+  const double angle = 0.5 * std::numbers::pi + 2.0 * std::atan(grading);
+  return std::clamp(static_cast<int>(std::lround(angle / std::numbers::pi * count)), count / 2,
+                    count - 1);
 }
 
 /// Conformal map of the unit disc to its lower half that keeps −i and ±1 and takes i to 0.
 Point fold(const Point& w) {
   // √(−i m) as √m √−i: m lies right of the imaginary axis, far from the cut.
-  const Point root = std::sqrt((1.0 + w) / (1.0 - w)) * Point(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2);
+  const Point root =
+      std::sqrt((1.0 + w) / (1.0 - w)) * Point(std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2);
   return (root - 1.0) / (root + 1.0);
 }
 
@@ -141,7 +144,8 @@ void check(const SphereMeshRequest& request) {
     throw Error(ExitCode::bad_input, std::string("sphere mesh: ") + key + " is out of range",
                 {.key = key, .value = std::to_string(value), .allowed = allowed});
   };
-  if (!(request.radius > 0 && std::isfinite(request.radius))) refuse("radius", request.radius, "> 0 m");
+  if (!(request.radius > 0 && std::isfinite(request.radius)))
+    refuse("radius", request.radius, "> 0 m");
   if (request.cells < 20) refuse("cells", request.cells, ">= 20");
   if (!(request.grading >= 1 && request.grading <= largest_grading))
     refuse("grading", request.grading, "[1, 200]");
@@ -155,12 +159,12 @@ Mesh generate_sphere_mesh(const SphereMeshRequest& request) {
   const Disc disc(blocks);
   const int count = 4 * blocks.core;
   const bool half = request.part == SpherePart::lower_half;
-  double draw = draw_of(request.grading);
-  const int last = half ? corner_for(draw, count) : count;
-  if (half) draw = std::tan(0.5 * std::numbers::pi * (static_cast<double>(last) / count - 0.5));
+  double grading = draw_of(request.grading);
+  const int last = half ? corner_for(grading, count) : count;
+  if (half) grading = std::tan(0.5 * std::numbers::pi * (static_cast<double>(last) / count - 0.5));
   Mesh mesh;
   for (const Point& place : disc.places()) {
-    Point drawn = (place - Point(0, draw)) / (1.0 + Point(0, draw) * place);
+    Point drawn = (place - Point(0, grading)) / (1.0 + Point(0, grading) * place);
     if (half) drawn = fold(drawn);
     mesh.vertices.push_back({request.radius * drawn.real(), request.radius * (1.0 + drawn.imag())});
   }
@@ -172,7 +176,8 @@ Mesh generate_sphere_mesh(const SphereMeshRequest& request) {
   mesh.vertices[static_cast<std::size_t>(disc.around(0, blocks.rings))][1] = 0.0;
   for (int k = last; half && k <= count; ++k)
     mesh.vertices[static_cast<std::size_t>(disc.around(k, blocks.rings))][1] = request.radius;
-  if (half) mesh.vertices[static_cast<std::size_t>(disc.around(last, blocks.rings))][0] = request.radius;
+  if (half)
+    mesh.vertices[static_cast<std::size_t>(disc.around(last, blocks.rings))][0] = request.radius;
   return mesh;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lumped/problem/mesh.hpp"
+#include "meshes/mesh.hpp"
 
 namespace rebound {
 

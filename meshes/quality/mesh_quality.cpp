@@ -10,9 +10,15 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1]}; }
-double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
-double length(const Point& a) { return std::hypot(a[0], a[1]); }
+Point difference(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1]};
+}
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+double length(const Point& a) {
+  return std::hypot(a[0], a[1]);
+}
 
 double triangle_of_revolution(const Point& a, const Point& b, const Point& c) {
   const double area = 0.5 * cross(difference(b, a), difference(c, a));

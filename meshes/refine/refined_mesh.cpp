@@ -20,6 +20,8 @@ class Refinement {
     for (const auto& cell : coarse.cells) cut(cell);
     fine_.axis_edges = halves_of(coarse.axis_edges);
     fine_.contact_edges = halves_of(coarse.contact_edges);
+    fine_.region_names = coarse.region_names;
+    for (const int region : coarse.regions) fine_.regions.insert(fine_.regions.end(), 4, region);
   }
   Mesh mesh() && { return std::move(fine_); }
 

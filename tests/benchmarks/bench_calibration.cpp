@@ -3,7 +3,7 @@
 // three traces. Starts are by dimension, a factor of some off.
 #include <benchmark/benchmark.h>
 
-#include "comparisons/calibration/law_calibration.hpp"
+#include "comparisons/inference/calibration/law_calibration.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "tests/support/lumped_cases.hpp"
 
@@ -11,14 +11,16 @@ namespace {
 
 using namespace rebound;
 
-std::vector<ReferenceShot> shots_at(const std::vector<double>& speeds) {
-  std::vector<ReferenceShot> shots;
+std::vector<MeasuredImpact> shots_at(const std::vector<double>& speeds) {
+  std::vector<MeasuredImpact> shots;
   for (double speed : speeds) {
     LumpedProblem problem = test::typical_problem("hunt-crossley");
     problem.impact.speed = speed;
     problem.controls.samples = 200;
     const LumpedResult run = simulate(problem);
-    shots.push_back({.sphere = problem.sphere, .impact = problem.impact, .trace = run.trace,
+    shots.push_back({.sphere = problem.sphere,
+                     .impact = problem.impact,
+                     .trace = run.trace,
                      .scalars = run.scalars});
   }
   return shots;
@@ -35,10 +37,12 @@ void fit(benchmark::State& state, const LawRequest& request, const std::vector<d
   state.counters["model_runs"] = evaluations;
 }
 
-BENCHMARK_CAPTURE(fit, two_parameters, LawRequest{.law = "hunt-crossley"}, std::vector<double>{15.0})
+BENCHMARK_CAPTURE(fit, two_parameters, LawRequest{.law = "hunt-crossley"},
+                  std::vector<double>{15.0})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fit, five_parameters_three_traces,
-                  LawRequest{.law = "hunt-crossley", .free = {"exponent"}, .per_speed = {"damping"}},
+                  LawRequest{
+                      .law = "hunt-crossley", .free = {"exponent"}, .per_speed = {"damping"}},
                   std::vector<double>{5.0, 15.0, 25.0})
     ->Unit(benchmark::kMillisecond);
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/schemes/explicit_impact.hpp"
+#include "fem/explicit/explicit_impact.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "meshes/refine/refined_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
@@ -31,9 +31,8 @@ constexpr double radius = 0.0331;
 const Mesh& sphere(int refinements) {
   static std::map<int, Mesh> known;
   if (!known.contains(refinements))
-    known[refinements] = refinements == 0
-                             ? generate_sphere_mesh({.radius = radius, .cells = 1000})
-                             : refined_mesh(sphere(refinements - 1), radius);
+    known[refinements] = refinements == 0 ? generate_sphere_mesh({.radius = radius, .cells = 1000})
+                                          : refined_mesh(sphere(refinements - 1), radius);
   return known[refinements];
 }
 
@@ -93,7 +92,8 @@ double bytes_per_cell(int branches) {
          nodes_per_cell * 4 + 8 + 3 * 16;
 }
 
-void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branches, int refinements) {
+void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branches,
+               int refinements) {
   const FemProblem problem = problem_with(branches);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
   const auto constants = fem::viscoelastic_constants(problem.material);
@@ -104,9 +104,9 @@ void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branc
   std::vector<double> force(u.size(), 0.0);
   const double best = fastest(state, [&] {
     return seconds_of([&] {
-      benchmark::DoNotOptimize(kernel->internal_forces(cells.arrays(), prony.data(),
-                                                       {.displacement = u.data(), .velocity = u.data()},
-                                                       history.data(), force.data()));
+      benchmark::DoNotOptimize(kernel->internal_forces(
+          cells.arrays(), prony.data(), {.displacement = u.data(), .velocity = u.data()},
+          history.data(), force.data()));
     });
   });
   const auto count = static_cast<double>(body.cells.size());
@@ -122,8 +122,8 @@ void impact(benchmark::State& state, int branches, int refinements) {
   double processor = std::numeric_limits<double>::infinity();
   const double best = fastest(state, [&] {
     processor = std::min(processor, processor_seconds_of([&] {
-      result = fem::run_explicit_impact(body, problem, {});
-    }));
+                           result = fem::run_explicit_impact(body, problem, {});
+                         }));
     return result.wall_seconds;
   });
   if (!result.incomplete_because.empty()) state.SkipWithError(result.incomplete_because.c_str());
@@ -132,7 +132,8 @@ void impact(benchmark::State& state, int branches, int refinements) {
   state.counters["wall_ms"] = 1e3 * best;
   state.counters["processor_ms"] = 1e3 * processor;
   state.counters["setup_ms"] = 1e3 * result.setup_seconds;
-  state.counters["ns_per_cell_step"] = 1e9 * processor / (result.cells * static_cast<double>(result.steps));
+  state.counters["ns_per_cell_step"] =
+      1e9 * processor / (result.cells * static_cast<double>(result.steps));
   state.counters["restitution"] = result.restitution_momentum;
 }
 
@@ -156,7 +157,8 @@ void register_all() {
               ->MinTime(0.1);
   for (int branches = 0; branches <= 2; ++branches)
     for (int size = 0; size < 3; ++size)
-      add("impact/branches:" + std::to_string(branches) + "/cells:" + sizes[size], impact, branches, size)
+      add("impact/branches:" + std::to_string(branches) + "/cells:" + sizes[size], impact, branches,
+          size)
           ->Unit(benchmark::kMillisecond)
           ->Iterations(size < 2 ? 10 : 2);
 }

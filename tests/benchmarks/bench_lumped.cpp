@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lumped/integration/closed_forms.hpp"
-#include "lumped/integration/fast_integrator.hpp"
+#include "lumped/integration/fast/fast_integrator.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 #include "tests/support/lumped_cases.hpp"
@@ -52,7 +52,8 @@ BENCHMARK(trace_composed)->Unit(benchmark::kMicrosecond);
 /// The integrator alone, at 1e-6, 1e-8, 1e-10: with samples, and end only.
 void integrator(benchmark::State& state, bool samples) {
   const HuntCrossley law{.stiffness = 3.5e6, .damping = 17.63e4, .power = Power(1.5)};
-  const ContactSetup setup{.mass = 0.0896, .speed = 15.0,
+  const ContactSetup setup{.mass = 0.0896,
+                           .speed = 15.0,
                            .separation = SeparationRule::zero_force,
                            .relative_tolerance = tolerance_of(state)};
   std::array<double, 200> time, force, deflection;
@@ -63,11 +64,19 @@ void integrator(benchmark::State& state, bool samples) {
     benchmark::ClobberMemory();
   }
   FastIntegrator<HuntCrossley> run(law, setup);
-  state.counters["error_e"] =
-      std::abs(-run.integrate().velocity / setup.speed - hunt_crossley_restitution(17.63e4 * 15 / 3.5e6));
+  state.counters["error_e"] = std::abs(-run.integrate().velocity / setup.speed -
+                                       hunt_crossley_restitution(17.63e4 * 15 / 3.5e6));
 }
-BENCHMARK_CAPTURE(integrator, with_200_samples, true)->Arg(6)->Arg(8)->Arg(10)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(integrator, end_only, false)->Arg(6)->Arg(8)->Arg(10)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(integrator, with_200_samples, true)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(10)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(integrator, end_only, false)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(10)
+    ->Unit(benchmark::kMicrosecond);
 
 void restitution_exact(benchmark::State& state) {
   double p = 0.75;

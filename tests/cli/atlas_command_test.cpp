@@ -22,7 +22,8 @@ TEST_F(AtlasCommand, MapsAreWrittenAndAKilledOneGoesOn) {
     EXPECT_TRUE(there(name)) << name;
   // One of the two lost, as after a kill: only that one is run again.
   std::filesystem::path kept;
-  for (const auto& file : std::filesystem::directory_iterator(folder.path() / "atlas" / "impacts")) {
+  for (const auto& file :
+       std::filesystem::directory_iterator(folder.path() / "atlas" / "impacts")) {
     kept = file.path();
     break;
   }
@@ -47,8 +48,8 @@ TEST_F(AtlasCommand, BadGridNamesTheKey) {
 
 TEST_F(AtlasCommand, AuditGivesEachAssumptionANumber) {
   folder.write("ball.toml", replaced(fem_file, "cells = 60", "cells = 120"));
-  const auto outcome = rebound({"benchmark", "--audit", "ball.toml", "--speeds", "5", "15", "--json",
-                                "--out", "audit"});
+  const auto outcome = rebound(
+      {"benchmark", "--audit", "ball.toml", "--speeds", "5", "15", "--json", "--out", "audit"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["assumptions"].size(), 10u);

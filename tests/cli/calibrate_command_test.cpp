@@ -36,8 +36,7 @@ TEST_F(CalibrateCommand, RecoversTheParametersAndTheyRun) {
 }
 
 TEST_F(CalibrateCommand, UnidentifiableIsSaid) {
-  folder.write("calibrate.toml",
-               "schema = 1\nlaw = \"equivalent-kelvin-voigt\"\n" + references_);
+  folder.write("calibrate.toml", "schema = 1\nlaw = \"equivalent-kelvin-voigt\"\n" + references_);
   const auto json = json_of(rebound({"calibrate", "calibrate.toml", "--json"}));
   EXPECT_EQ(json["estimates"][0]["identifiability"], "not-identifiable");
   EXPECT_TRUE(json["estimates"][0]["standard_error"].is_null());
@@ -46,14 +45,16 @@ TEST_F(CalibrateCommand, UnidentifiableIsSaid) {
 TEST_F(CalibrateCommand, ProfilesAndNuisancesAreOnRequest) {
   folder.write("calibrate.toml",
                "schema = 1\nlaw = \"linear-kelvin-voigt\"\nprofiles = \"all\"\nloss = \"huber\"\n"
-               "observable = \"force-time\"\n" + references_);
+               "observable = \"force-time\"\n" +
+                   references_);
   const auto json = json_of(rebound({"calibrate", "calibrate.toml", "--json", "--out", "found"}));
   EXPECT_EQ(json["estimates"][0]["profile"]["closed"][0], true);
   EXPECT_LT(json["estimates"][0]["profile"]["interval"][0].get<double>(),
             json["estimates"][0]["value"].get<double>());
   EXPECT_FALSE(there("found/checkpoint.json"));
-  folder.write("nuisance.toml", "schema = 1\nlaw = \"linear-kelvin-voigt\"\n[nuisance]\ngain = 0.03\n" +
-                                    references_);
+  folder.write(
+      "nuisance.toml",
+      "schema = 1\nlaw = \"linear-kelvin-voigt\"\n[nuisance]\ngain = 0.03\n" + references_);
   EXPECT_EQ(rebound({"calibrate", "nuisance.toml"}).exit_code, 2);  // noise unknown
 }
 
@@ -174,8 +175,8 @@ TEST_F(BadData, ARestitutionAboveOneIsRefused) {
 // Data of an overdamped spring and dashpot, fitted under a rule by which it never comes back.
 TEST_F(BadData, OverdampedUnderZeroDeflectionIsNotIdentifiable) {
   std::string spring = replaced(lumped_file, "hunt-crossley", "linear-kelvin-voigt");
-  spring = replaced(replaced(spring, "3.5e6 N/m^1.5", "2.5e5 N/m"), "17.63e4 N.s/m^2.5",
-                    "900 N.s/m");
+  spring =
+      replaced(replaced(spring, "3.5e6 N/m^1.5", "2.5e5 N/m"), "17.63e4 N.s/m^2.5", "900 N.s/m");
   folder.write("spring.toml", spring);
   ASSERT_EQ(rebound({"lumped", "spring.toml", "--out", "reference"}).exit_code, 0);
   const std::string rule = "[impact]\nseparation = \"zero-deflection\"\n";

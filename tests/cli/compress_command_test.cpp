@@ -28,7 +28,8 @@ relaxation_time = "1 ms"
 
 TEST_F(CompressCommandTest, SlowCompressionSeesTheLongTermModulusAlone) {
   folder.write("a.toml", compression_file);
-  folder.write("b.toml", compression_file.substr(0, compression_file.find("[[model.material.branch")));
+  folder.write("b.toml",
+               compression_file.substr(0, compression_file.find("[[model.material.branch")));
   const Outcome outcome = rebound({"compress", "a.toml", "--json", "--out", "one"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
@@ -38,7 +39,8 @@ TEST_F(CompressCommandTest, SlowCompressionSeesTheLongTermModulusAlone) {
   EXPECT_NEAR(json["work_J"].get<double>() / json["stored_J"].get<double>(), 1.0, 0.01);
   ASSERT_EQ(rebound({"compress", "b.toml", "--out", "two"}).exit_code, 0);
   const std::string curve = read_whole(folder.path() / "one/curve.csv");
-  EXPECT_TRUE(curve.starts_with("deflection_m,force_N,contact_radius_m,stored_J,work_J\n")) << curve;
+  EXPECT_TRUE(curve.starts_with("deflection_m,force_N,contact_radius_m,stored_J,work_J\n"))
+      << curve;
   const auto force = [&](const char* file) {
     return nlohmann::json::parse(read_whole(folder.path() / file))["peak_force_N"].get<double>();
   };
@@ -56,7 +58,8 @@ TEST_F(CompressCommandTest, APathInTimeHasItsBranchesAndEndsWhereThePlateIsLeft)
   EXPECT_GT(json["contact_end_s"].get<double>(), 2e-3);
   EXPECT_LT(json["contact_end_s"].get<double>(), 4e-3);
   EXPECT_GT(json["work_J"].get<double>(), 0.0);
-  EXPECT_TRUE(read_whole(folder.path() / "one/curve.csv").starts_with("time_s,deflection_m,force_N,"));
+  EXPECT_TRUE(
+      read_whole(folder.path() / "one/curve.csv").starts_with("time_s,deflection_m,force_N,"));
 }
 
 TEST_F(CompressCommandTest, BadFilesAreRefusedWithTheirKey) {
@@ -80,8 +83,8 @@ TEST_F(CompressCommandTest, BadFilesAreRefusedWithTheirKey) {
 }
 
 TEST_F(CompressCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
-  folder.write("a.toml", replaced(replaced(compression_file, "cells = 60", "cells = 400"), "steps = 10",
-                                  "steps = 20000"));
+  folder.write("a.toml", replaced(replaced(compression_file, "cells = 60", "cells = 400"),
+                                  "steps = 10", "steps = 20000"));
   const Outcome outcome =
       rebound({"compress", "a.toml", "--json", "--out", "results"}, {.interrupt_after_ms = 1500});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.output << outcome.errors;

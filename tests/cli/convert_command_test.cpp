@@ -64,8 +64,9 @@ TEST_F(DropCommand, ModelAndCalibration) {
   EXPECT_EQ(json["regulation"]["restitution"][0], 0.522);
 
   ASSERT_EQ(rebound({"lumped", "impact.toml", "--out", "reference"}).exit_code, 0);
-  folder.write("calibrate.toml", "schema = 1\nlaw = \"linear-kelvin-voigt\"\n[[reference]]\n"
-                                 "folder = \"reference\"\n");
+  folder.write("calibrate.toml",
+               "schema = 1\nlaw = \"linear-kelvin-voigt\"\n[[reference]]\n"
+               "folder = \"reference\"\n");
   ASSERT_EQ(rebound({"calibrate", "calibrate.toml", "--out", "found"}).exit_code, 0);
   const auto fitted = rebound({"drop", "found", "--json"});
   ASSERT_EQ(fitted.exit_code, 0) << fitted.errors;

@@ -59,8 +59,8 @@ TEST_F(DiagnoseCommand, FindsWhatIsHiddenAndItsModelRuns) {
   const auto made = json_of(rebound({"synthesize", "experiment.toml", "--out", "x", "--json"}));
   EXPECT_EQ(made["shots"], 3);
   EXPECT_TRUE(there("x/truth.json"));
-  const auto found = json_of(rebound(
-      {"diagnose", "x/data", "--model", "believed.toml", "--out", "d", "--json"}));
+  const auto found =
+      json_of(rebound({"diagnose", "x/data", "--model", "believed.toml", "--out", "d", "--json"}));
   EXPECT_EQ(found["schema"], 1);
   EXPECT_EQ(found["verdict"], "missing");
   EXPECT_EQ(found["effects"][0]["name"], "hysteresis");
@@ -68,14 +68,15 @@ TEST_F(DiagnoseCommand, FindsWhatIsHiddenAndItsModelRuns) {
   EXPECT_EQ(found["effects"][0]["tiers"]["lumped"], "supported");
   EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "not-run");
   EXPECT_EQ(found["candidates"][0][0], "hysteresis");
-  EXPECT_GT(found["gap"]["held_out_before"].get<double>(), found["gap"]["held_out_after"].get<double>());
+  EXPECT_GT(found["gap"]["held_out_before"].get<double>(),
+            found["gap"]["held_out_after"].get<double>());
   EXPECT_EQ(found["held_out_speed_m_s"], 15.0);
   EXPECT_EQ(found["seed"], 1);
   const std::string extended = found["extended_model"];
   EXPECT_EQ(rebound({"lumped", extended}).exit_code, 0);
   EXPECT_EQ(rebound({"synthesize", extended, "--out", "again"}).exit_code, 0);
-  const auto closed = json_of(
-      rebound({"diagnose", "x/data", "--model", extended, "--out", "d2", "--json"}));
+  const auto closed =
+      json_of(rebound({"diagnose", "x/data", "--model", extended, "--out", "d2", "--json"}));
   EXPECT_EQ(closed["verdict"], "agrees");
   EXPECT_TRUE(closed["extended_model"].is_null());
   EXPECT_FALSE(closed["excluded_above"].empty());
@@ -85,13 +86,16 @@ TEST_F(DiagnoseCommand, FindsWhatIsHiddenAndItsModelRuns) {
 
 TEST_F(DiagnoseCommand, AGapFailsOnRequest) {
   ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
-  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--fail-on-gap"}).exit_code, 1);
+  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--fail-on-gap"}).exit_code,
+            1);
   EXPECT_TRUE(there("results/diagnosis-data/report.html"));
 }
 
 TEST_F(DiagnoseCommand, ASealedTruthIsNowhereNearTheData) {
   ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x", "--seal", "--truth",
-                     "elsewhere.json"}).exit_code, 0);
+                     "elsewhere.json"})
+                .exit_code,
+            0);
   EXPECT_FALSE(there("x/truth.json"));
   EXPECT_TRUE(there("x/seal.json"));
   EXPECT_TRUE(there("elsewhere.json"));
@@ -126,8 +130,11 @@ TEST_F(DiagnoseCommand, BadInputIsRefusedWithItsPlace) {
   refused(believed + "[sphere]\nmass = \"45 g\"\ndiameter = \"66.2 mm\"\n", "sphere.mass");
   refused(replaced(believed, "lumped", "fem"), "model.tier");
   refused(replaced(believed, "stiffness", "stifness"), "stifness");
-  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--hold-out", "7 m/s"}).exit_code, 2);
-  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--hold-out", "15"}).exit_code, 2);
+  EXPECT_EQ(
+      rebound({"diagnose", "x/data", "--model", "believed.toml", "--hold-out", "7 m/s"}).exit_code,
+      2);
+  EXPECT_EQ(
+      rebound({"diagnose", "x/data", "--model", "believed.toml", "--hold-out", "15"}).exit_code, 2);
   EXPECT_EQ(rebound({"diagnose", "nowhere", "--model", "believed.toml"}).exit_code, 4);
 }
 

@@ -10,11 +10,10 @@ TEST_F(FemCommandTest, PrintsTheContractsKeysAndTheMomentumRestitution) {
   const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
   const auto json = nlohmann::json::parse(outcome.output);
-  for (const char* key :
-       {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N", "peak_deflection_m",
-        "mean_deflection_m", "rebound_speed_m_s", "impulse_closure", "energy_closure", "wall_s",
-        "restitution_momentum", "cells", "steps", "contact_radius_peak_m",
-        "vibrational_energy_share"})
+  for (const char* key : {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N",
+                          "peak_deflection_m", "mean_deflection_m", "rebound_speed_m_s",
+                          "impulse_closure", "energy_closure", "wall_s", "restitution_momentum",
+                          "cells", "steps", "contact_radius_peak_m", "vibrational_energy_share"})
     EXPECT_TRUE(json[key].is_number()) << key;
   EXPECT_TRUE(read_whole(folder.path() / "results/trace.csv")
                   .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
@@ -51,8 +50,9 @@ TEST_F(FemCommandTest, FieldsThatCannotBeWrittenAreExitFour) {
   folder.write("results/fields", "a file where the folder should be");
   const Outcome outcome = rebound({"fem", "a.toml", "--json", "--out", "results"});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.output;
-  EXPECT_NE(nlohmann::json::parse(outcome.output)["error"]["file"].get<std::string>().find("fields"),
-            std::string::npos);
+  EXPECT_NE(
+      nlohmann::json::parse(outcome.output)["error"]["file"].get<std::string>().find("fields"),
+      std::string::npos);
   EXPECT_FALSE(there("results/result.json"));
 }
 
@@ -64,9 +64,10 @@ TEST_F(FemCommandTest, OtherCommandsTakeAFileThatAsksForFields) {
 
 TEST_F(FemCommandTest, CellsBeyondTheMemoryAreRefusedBeforeTheyAreMade) {
   folder.write("big.toml", replaced(fem_file, "cells = 60", "cells = 1000000"));
-  Invocation limited{.arguments = {"/bin/bash", "-c",
-                                   "ulimit -v 1500000; exec " REBOUND_PROGRAM " fem big.toml --json"},
-                     .folder = folder.path()};
+  Invocation limited{
+      .arguments = {"/bin/bash", "-c",
+                    "ulimit -v 1500000; exec " REBOUND_PROGRAM " fem big.toml --json"},
+      .folder = folder.path()};
   const Outcome outcome = run_program(limited);
   EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
   const auto error = nlohmann::json::parse(outcome.output)["error"];
@@ -121,7 +122,8 @@ TEST_F(FemCommandTest, AReferenceGivesEveryScalarAndTheTraceABar) {
   EXPECT_FALSE(json["reference"]["beyond"].empty());
   const Outcome words = rebound({"fem", "a.toml", "--reference"});
   EXPECT_NE(words.output.find(" +- "), std::string::npos) << words.output;
-  EXPECT_NE(words.output.find("reference                   no: "), std::string::npos) << words.output;
+  EXPECT_NE(words.output.find("reference                   no: "), std::string::npos)
+      << words.output;
   const auto stored = nlohmann::json::parse(read_whole(folder.path() / "results/result.json"));
   EXPECT_EQ(stored["uncertainty"], json["uncertainty"]);
   const std::string trace = read_whole(folder.path() / "results/trace.csv");
@@ -142,8 +144,9 @@ TEST_F(FemCommandTest, APlateThatMovesReadsItsLoadCell) {
 TEST_F(FemCommandTest, AMeshMadeHereIsReadBackToTheSameTrace) {
   folder.write("a.toml", fem_file);
   ASSERT_EQ(rebound({"fem", "a.toml", "--out", "one"}).exit_code, 0);
-  ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "60", "--out", "ball.msh"}).exit_code,
-            0);
+  ASSERT_EQ(
+      rebound({"mesh", "--diameter", "66.2 mm", "--cells", "60", "--out", "ball.msh"}).exit_code,
+      0);
   folder.write("b.toml", replaced(fem_file, "cells = 60", "mesh = \"ball.msh\""));
   const Outcome outcome = rebound({"fem", "b.toml", "--out", "two"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
@@ -152,8 +155,8 @@ TEST_F(FemCommandTest, AMeshMadeHereIsReadBackToTheSameTrace) {
 }
 
 TEST_F(FemCommandTest, AMeshOfAnotherBallIsRefused) {
-  ASSERT_EQ(rebound({"mesh", "--diameter", "60 mm", "--cells", "60", "--out", "ball.msh"}).exit_code,
-            0);
+  ASSERT_EQ(
+      rebound({"mesh", "--diameter", "60 mm", "--cells", "60", "--out", "ball.msh"}).exit_code, 0);
   folder.write("b.toml", replaced(fem_file, "cells = 60", "mesh = \"ball.msh\""));
   const Outcome outcome = rebound({"fem", "b.toml"});
   EXPECT_EQ(outcome.exit_code, 2);
@@ -179,7 +182,8 @@ TEST_F(FemCommandTest, AContactThatDoesNotEndInTimeReportsNoScalar) {
 }
 
 TEST_F(FemCommandTest, TheImplicitSchemeReportsTheSameScalarsAndFaults) {
-  const std::string implicit = replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
+  const std::string implicit =
+      replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
   folder.write("explicit.toml", replaced(fem_file, "cells = 60", "cells = 240"));
   folder.write("implicit.toml", implicit);
   folder.write("short.toml", implicit + "[controls]\nend_time = \"0.5 ms\"\n");
@@ -191,8 +195,8 @@ TEST_F(FemCommandTest, TheImplicitSchemeReportsTheSameScalarsAndFaults) {
   const auto first = read("explicit.toml"), second = read("implicit.toml");
   for (const auto& [key, value] : first.items()) EXPECT_TRUE(second.contains(key)) << key;
   EXPECT_NEAR(second["restitution"], first["restitution"], 5e-3);
-  EXPECT_NEAR(second["peak_deflection_m"].get<double>() / first["peak_deflection_m"].get<double>(), 1.0,
-              1e-2);
+  EXPECT_NEAR(second["peak_deflection_m"].get<double>() / first["peak_deflection_m"].get<double>(),
+              1.0, 1e-2);
   EXPECT_TRUE(read_whole(folder.path() / "results/trace.csv")
                   .starts_with("time_s,force_N,deflection_m,pole_deflection_m,contact_radius_m,"));
 
@@ -202,10 +206,13 @@ TEST_F(FemCommandTest, TheImplicitSchemeReportsTheSameScalarsAndFaults) {
 }
 
 TEST_F(FemCommandTest, TheImplicitSchemeStopsWithWhatIsKnown) {
-  const std::string implicit = replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
+  const std::string implicit =
+      replaced(fem_file, "cells = 60", "scheme = \"implicit\"\ncells = 60");
   // A ball so soft that it hits at nearly its shear wave speed.
-  std::string soft = replaced(implicit, "youngs_modulus = \"10 MPa\"", "youngs_modulus = \"1.1 MPa\"");
-  soft = replaced(soft.substr(0, soft.find("[[model.material.branch]]")), "cells = 60", "cells = 100");
+  std::string soft =
+      replaced(implicit, "youngs_modulus = \"10 MPa\"", "youngs_modulus = \"1.1 MPa\"");
+  soft =
+      replaced(soft.substr(0, soft.find("[[model.material.branch]]")), "cells = 60", "cells = 100");
   folder.write("soft.toml", replaced(soft, "speed = \"15 m/s\"", "speed = \"25 m/s\""));
   folder.write("long.toml", replaced(implicit, "cells = 60", "cells = 1000"));
   const Outcome turned = rebound({"fem", "soft.toml", "--out", "turned"});
@@ -223,7 +230,9 @@ TEST_F(FemCommandTest, TheImplicitSchemeStopsWithWhatIsKnown) {
 
 TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {
   // Many cells: the run takes seconds, the mesh is made before.
-  ASSERT_EQ(rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code, 0);
+  ASSERT_EQ(
+      rebound({"mesh", "--diameter", "66.2 mm", "--cells", "20000", "--out", "m.msh"}).exit_code,
+      0);
   folder.write("a.toml", replaced(fem_file, "cells = 60", "cells = 20000"));
   const Outcome outcome =
       rebound({"fem", "a.toml", "--json", "--out", "results"}, {.interrupt_after_ms = 600});

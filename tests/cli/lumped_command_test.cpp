@@ -13,9 +13,9 @@ TEST_F(LumpedCommandTest, PrintsTheContractsKeysAndNothingElse) {
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json["schema"], 1);
   EXPECT_EQ(json["separation_rule"], "zero-force");
-  for (const char* key : {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N",
-                          "peak_deflection_m", "mean_deflection_m", "rebound_speed_m_s",
-                          "impulse_closure", "energy_closure", "wall_s"})
+  for (const char* key :
+       {"restitution", "contact_time_s", "contact_time_1pct_s", "peak_force_N", "peak_deflection_m",
+        "mean_deflection_m", "rebound_speed_m_s", "impulse_closure", "energy_closure", "wall_s"})
     EXPECT_TRUE(json[key].is_number()) << key;
   // The paper's damping, integrated, returns 0.66 and not the measured 0.527.
   EXPECT_NEAR(json["restitution"].get<double>(), 0.661, 0.001);
@@ -48,7 +48,8 @@ size = "0.02 um/N"
             std::string::npos);
   EXPECT_EQ(effective.find("[model.plate]"), std::string::npos);
   const std::string trace = read_whole(folder.path() / "one/trace.csv");
-  EXPECT_TRUE(trace.starts_with("time_s,force_N,deflection_m,contact_force_N,plate_displacement_m\n"));
+  EXPECT_TRUE(
+      trace.starts_with("time_s,force_N,deflection_m,contact_force_N,plate_displacement_m\n"));
   EXPECT_EQ(trace, read_whole(folder.path() / "two/trace.csv"));
 }
 
@@ -65,7 +66,8 @@ TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {
   std::string text = replaced(lumped_file, "hunt-crossley", "linear-kelvin-voigt");
   text = replaced(text, "3.5e6 N/m^1.5", "2e5 N/m");
   text = replaced(text, "17.63e4 N.s/m^2.5", "1000 N.s/m");
-  text = replaced(text, "speed = \"15 m/s\"", "speed = \"1 m/s\"\nseparation = \"zero-deflection\"");
+  text =
+      replaced(text, "speed = \"15 m/s\"", "speed = \"1 m/s\"\nseparation = \"zero-deflection\"");
   folder.write("a.toml", text);
   const Outcome outcome = rebound({"lumped", "a.toml", "--json", "--out", "results"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
@@ -91,7 +93,8 @@ TEST_F(LumpedCommandTest, SensitivitiesArePrintedOnRequest) {
   EXPECT_NEAR(slope("damping", 17.63e4), -slope("stiffness", 3.5e6), 1e-6);
   EXPECT_NEAR(slope("mass", 0.0896), 0.0, 1e-6);
   EXPECT_GT(by["speed"]["peak_force_N"].get<double>(), 0.0);
-  folder.write("plate.toml", lumped_file + "[model.plate]\nstiffness = \"50 MN/m\"\nmass = \"2 kg\"\n");
+  folder.write("plate.toml",
+               lumped_file + "[model.plate]\nstiffness = \"50 MN/m\"\nmass = \"2 kg\"\n");
   EXPECT_EQ(rebound({"lumped", "plate.toml", "--sensitivities"}).exit_code, 2);
 }
 

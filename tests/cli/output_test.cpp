@@ -26,8 +26,7 @@ TEST_F(OutputTest, AFolderThatCannotBeWrittenIsExitCodeFour) {
 }
 
 TEST_F(OutputTest, AFullDiskIsExitCodeFourAndLeavesNoTrace) {
-  const Outcome outcome =
-      rebound({"lumped", "a.toml", "--out", "results"}, {.largest_file = 4096});
+  const Outcome outcome = rebound({"lumped", "a.toml", "--out", "results"}, {.largest_file = 4096});
   EXPECT_EQ(outcome.exit_code, 4) << outcome.errors;
   EXPECT_FALSE(there("results/trace.csv"));
   EXPECT_FALSE(there("results/result.json"));

@@ -110,7 +110,8 @@ TEST_F(StudyCommandTest, AReferenceCanBeRunAgainFromItsFolder) {
 }
 
 TEST_F(StudyCommandTest, AnInterruptionSaysWhatIsKept) {
-  folder.write("long.toml", replaced(study_file, "calibration_cells = 80", "calibration_cells = 20000"));
+  folder.write("long.toml",
+               replaced(study_file, "calibration_cells = 80", "calibration_cells = 20000"));
   const Outcome outcome = rebound({"study", "long.toml", "--out", "results"},
                                   {.arguments = {}, .folder = {}, .interrupt_after_ms = 6000});
   EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;

@@ -5,7 +5,7 @@ namespace {
 
 class VerifyCommandTest : public ProgramTest {};
 
-TEST_F(VerifyCommandTest, LumpedRungsPassAsTextAndJson) {
+TEST_F(VerifyCommandTest, LumpedCasesPassAsTextAndJson) {
   const Outcome text = rebound({"verify", "--tier", "lumped"});
   EXPECT_EQ(text.exit_code, 0) << text.errors;
   EXPECT_NE(text.output.find("Kuwabara-Kono"), std::string::npos);
@@ -24,11 +24,10 @@ TEST_F(VerifyCommandTest, AnUnknownTierIsBadUsage) {
   EXPECT_EQ(rebound({"verify", "--tier", "experiment"}).exit_code, 2);
 }
 
-TEST_F(VerifyCommandTest, FemRungsPass) {
+TEST_F(VerifyCommandTest, FemCasesPass) {
   const Outcome outcome = rebound({"verify", "--tier", "fem", "--json", "--out", "results"});
   const auto json = nlohmann::json::parse(outcome.output);
-  for (const auto& row : json["rows"])
-    EXPECT_TRUE(row["passed"]) << row.dump();
+  for (const auto& row : json["rows"]) EXPECT_TRUE(row["passed"]) << row.dump();
   EXPECT_NE(read_whole(folder.path() / "results/report.html").find("Ripple of the force"),
             std::string::npos);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "comparisons/effects/effect.hpp"
+#include "comparisons/models/effects/effect.hpp"
 #include "tests/support/lumped_cases.hpp"
 
 namespace rebound::test {
@@ -24,7 +24,8 @@ inline FemProblem fem_problem_for_effects() {
   FemProblem problem;
   problem.sphere = core_a();
   problem.impact = {.speed = 15.0};
-  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = 0.4,
+  problem.material = {.youngs_modulus = 10e6,
+                      .poisson_ratio = 0.4,
                       .branches = {{.ratio = 0.3, .relaxation_time = 0.3e-3}}};
   return problem;
 }
@@ -37,9 +38,8 @@ inline EffectChoice at_prior_scale(const Effect& effect) {
 /// A hundredth of that, away from null.
 inline EffectChoice slight(const Effect& effect) {
   const EffectCard& card = effect.card;
-  const double size = std::isfinite(card.null)
-                          ? card.null + 0.01 * (card.prior_scale - card.null)
-                          : 100.0 * card.prior_scale;
+  const double size = std::isfinite(card.null) ? card.null + 0.01 * (card.prior_scale - card.null)
+                                               : 100.0 * card.prior_scale;
   return {.name = card.name, .size = size, .parameters = {}};
 }
 

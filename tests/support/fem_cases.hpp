@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
-#include "fem/verification/bilinear_forces.hpp"
-#include "lumped/problem/fem_problem.hpp"
+#include "fem/element_tests/bilinear_forces.hpp"
+#include "fem/interface/elastic_models.hpp"
+#include "fem/interface/fem_problem.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace rebound::test {
@@ -49,7 +50,8 @@ double smallest_slope(const Remainder& remainder, double first_step) {
 /// A cylinder 1 m by 1.2 m whose inner vertices are moved by a fifth of a cell.
 inline Mesh distorted_cylinder() {
   constexpr int across = 4, along = 5;
-  Mesh mesh = cylinder({.radius = 1.0, .length = 1.2, .cells_across = across, .cells_along = along});
+  Mesh mesh =
+      cylinder({.radius = 1.0, .length = 1.2, .cells_across = across, .cells_along = along});
   Random random(7);
   for (int j = 1; j < along; ++j)
     for (int i = 1; i < across; ++i) {
@@ -60,20 +62,23 @@ inline Mesh distorted_cylinder() {
   return mesh;
 }
 
-inline constexpr ElasticModel elastic_models[] = {
-    ElasticModel::neo_hookean, ElasticModel::neo_hookean_isochoric, ElasticModel::mooney_rivlin,
-    ElasticModel::ogden, ElasticModel::hyperfoam};
+/// Every model of the list.
+inline const std::vector<ElasticModel> elastic_models = [] {
+  std::vector<ElasticModel> models;
+  for (const ElasticModelCard& card : rebound::elastic_models()) models.push_back(card.model);
+  return models;
+}();
 
 /// μ = 1 Pa, λ = 4 Pa; laws of principal stretches with terms of both signs.
-inline Material unit_material(ElasticModel elastic = ElasticModel::neo_hookean) {
+inline Material unit_material(ElasticModel elastic = {}) {
   Material material{.elastic = elastic, .youngs_modulus = 2.8, .poisson_ratio = 0.4};
-  if (elastic == ElasticModel::mooney_rivlin) material.second_share = 0.25;
-  if (elastic == ElasticModel::ogden || elastic == ElasticModel::hyperfoam)
+  if (shape_of(elastic) == ElasticShape::second_share) material.second_share = 0.25;
+  if (has_terms(elastic))
     material.terms = {{.weight = 3.0, .exponent = 4.0}, {.weight = 1.0, .exponent = -2.0}};
   return material;
 }
 
-/// The common case of the verification ladder: R = 33.1 mm, m = 89.6 g,
+/// The common case of the verification suite: R = 33.1 mm, m = 89.6 g,
 /// E = 10 MPa, ν = 0.4.
 inline FemProblem common_case(double speed) {
   FemProblem problem;

@@ -5,6 +5,8 @@
 namespace rebound::test {
 
 /// Structured mesh of a cylinder standing on the plate.
-inline Mesh cylinder(const CylinderMesh& shape) { return cylinder_mesh(shape); }
+inline Mesh cylinder(const CylinderMesh& shape) {
+  return cylinder_mesh(shape);
+}
 
 }  // namespace rebound::test

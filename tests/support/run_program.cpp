@@ -23,8 +23,7 @@ constexpr uid_t nobody = 65534;
   ::dup2(output, STDOUT_FILENO);
   ::dup2(errors, STDERR_FILENO);
   ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
-  for (const std::string& variable : run.environment)
-    ::putenv(const_cast<char*>(variable.c_str()));
+  for (const std::string& variable : run.environment) ::putenv(const_cast<char*>(variable.c_str()));
   if (run.largest_file > 0) {
     const auto bytes = static_cast<rlim_t>(run.largest_file);
     const rlimit limit{bytes, bytes};

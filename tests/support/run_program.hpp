@@ -16,13 +16,13 @@ struct Outcome {
 enum class Privileges { keep, drop };
 
 struct Invocation {
-  std::vector<std::string> arguments;  ///< the program first
-  std::filesystem::path folder;        ///< to run in
+  std::vector<std::string> arguments;      ///< the program first
+  std::filesystem::path folder;            ///< to run in
   std::vector<std::string> environment{};  ///< "NAME=value", beside the present one
   /// drop: as an unprivileged user, when the test runs as root. Paths must
   /// then be relative, since the way to the folder may be closed to it.
   Privileges privileges = Privileges::keep;
-  long largest_file = 0;  ///< limit on the size of written files [bytes]; 0: none
+  long largest_file = 0;       ///< limit on the size of written files [bytes]; 0: none
   int interrupt_after_ms = 0;  ///< send SIGINT after this time; 0: never
 };
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "comparisons/verification/verification_part.hpp"
+#include "comparisons/accuracy/verification/verification_part.hpp"
 
 namespace rebound::test {
 
@@ -16,7 +16,7 @@ inline void expect_rows(const VerificationTable& rows, std::size_t least) {
   for (const VerificationRow& row : rows) {
     EXPECT_TRUE(row.passes()) << row.quantity << ": " << row.result << " for " << row.target;
     EXPECT_FALSE(row.source.empty()) << row.quantity;
-    EXPECT_TRUE(names.insert(row.rung + row.quantity).second) << "twice: " << row.quantity;
+    EXPECT_TRUE(names.insert(row.case_id + row.quantity).second) << "twice: " << row.quantity;
   }
 }
 

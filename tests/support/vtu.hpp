@@ -99,9 +99,9 @@ inline Vtu read_vtu(const std::filesystem::path& file) {
     for (const char c : body)
       if (c != '\n' && c != ' ') digits += c;
     const auto bytes = from_base64(digits);
-    array.values = array.type == "Float32"   ? as_doubles<float>(bytes)
-                   : array.type == "Int32"   ? as_doubles<std::int32_t>(bytes)
-                                             : as_doubles<std::uint8_t>(bytes);
+    array.values = array.type == "Float32" ? as_doubles<float>(bytes)
+                   : array.type == "Int32" ? as_doubles<std::int32_t>(bytes)
+                                           : as_doubles<std::uint8_t>(bytes);
     vtu.arrays[name] = array;
   }
   return vtu;
@@ -111,7 +111,8 @@ inline Vtu read_vtu(const std::filesystem::path& file) {
 inline std::vector<std::pair<double, std::string>> read_pvd(const std::filesystem::path& file) {
   const std::string text = whole_text(file);
   std::vector<std::pair<double, std::string>> frames;
-  for (auto tag = text.find("<DataSet"); tag != std::string::npos; tag = text.find("<DataSet", tag + 1)) {
+  for (auto tag = text.find("<DataSet"); tag != std::string::npos;
+       tag = text.find("<DataSet", tag + 1)) {
     const auto value = [&](const std::string& name) {
       const auto from = text.find(name + "=\"", tag) + name.size() + 2;
       return text.substr(from, text.find('"', from) - from);

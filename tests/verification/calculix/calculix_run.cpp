@@ -30,7 +30,8 @@ class InputFile {
     write_elements("BALL", body_, 0, 0);
     write_elements("PLATE", plate_, body_nodes(), static_cast<int>(body_.elements.size()));
     text_ += fmt::format("*NSET,NSET=NBALL,GENERATE\n1,{}\n*NSET,NSET=NPLATE,GENERATE\n{},{}\n",
-                         body_nodes(), body_nodes() + 1, body_nodes() + static_cast<int>(plate_.nodes.size()));
+                         body_nodes(), body_nodes() + 1,
+                         body_nodes() + static_cast<int>(plate_.nodes.size()));
     write_set("AXIS", [](const auto& p) { return p[0] < 1e-9; });
     write_contact(penalty);
     write_materials();
@@ -49,8 +50,8 @@ class InputFile {
   int body_nodes() const { return static_cast<int>(body_.nodes.size()); }
   void write_nodes(const QuadraticMesh& mesh, int before, double up) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-      text_ += fmt::format("{},{:.12g},{:.12g},0.\n", before + static_cast<int>(i) + 1, mesh.nodes[i][0],
-                           mesh.nodes[i][1] + up);
+      text_ += fmt::format("{},{:.12g},{:.12g},0.\n", before + static_cast<int>(i) + 1,
+                           mesh.nodes[i][0], mesh.nodes[i][1] + up);
   }
   void write_elements(const char* name, const QuadraticMesh& mesh, int nodes_before, int before) {
     text_ += fmt::format("*ELEMENT,TYPE=CAX8R,ELSET={}\n", name);
@@ -73,10 +74,12 @@ class InputFile {
           text_ += fmt::format("{},S{}\n", e + 1, side + 1);
     text_ += "*SURFACE,NAME=SPLATE,TYPE=ELEMENT\n";
     const int first = static_cast<int>(body_.elements.size());
-    for (std::size_t e = 0; e < plate_.elements.size(); ++e) text_ += fmt::format("{},S3\n", first + e + 1);
+    for (std::size_t e = 0; e < plate_.elements.size(); ++e)
+      text_ += fmt::format("{},S3\n", first + e + 1);
     text_ += fmt::format(
         "*SURFACE INTERACTION,NAME=TOUCH\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n"
-        "*CONTACT PAIR,INTERACTION=TOUCH,TYPE=SURFACE TO SURFACE\nSBALL,SPLATE\n", penalty);
+        "*CONTACT PAIR,INTERACTION=TOUCH,TYPE=SURFACE TO SURFACE\nSBALL,SPLATE\n",
+        penalty);
   }
   void write_materials() {
     const double shear = 0.5 * ball_.youngs_modulus / (1.0 + ball_.poisson_ratio);
@@ -129,14 +132,14 @@ constexpr const char* print_plate =
 
 }  // namespace
 
-bool installed() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
-
 Trace press(const Ball& ball, double travel, int steps, const std::filesystem::path& folder) {
   const QuadraticMesh body = lower_half(ball.radius, 8);
   InputFile input(ball, body, 0.0, press_penalty);
   input.write_set("MIDDLE", [&](const auto& p) { return std::abs(p[1] - ball.radius) < 1e-9; });
-  input.add(fmt::format("*BOUNDARY\nNPLATE,1,3\nAXIS,1,1\n*STEP,NLGEOM,INC=1000\n*STATIC,DIRECT\n{:.12g},1.\n"
-                        "*BOUNDARY\nMIDDLE,2,2,{:.12g}\n{}", 1.0 / steps, -travel, print_plate));
+  input.add(fmt::format(
+      "*BOUNDARY\nNPLATE,1,3\nAXIS,1,1\n*STEP,NLGEOM,INC=1000\n*STATIC,DIRECT\n{:.12g},1.\n"
+      "*BOUNDARY\nMIDDLE,2,2,{:.12g}\n{}",
+      1.0 / steps, -travel, print_plate));
   return forces_on_plate(run(input, folder));
 }
 
@@ -157,10 +160,12 @@ Trace impact(const Ball& ball, const ImpactRequest& request, const std::filesyst
   input.add(fmt::format(
       "*BOUNDARY\nNPLATE,1,3\nAXIS,1,1\n*STEP,NLGEOM,INC=1000\n*DYNAMIC,DIRECT\n{:.12g},{:.12g}\n"
       "*BOUNDARY,AMPLITUDE=LED\nNBALL,2,2,-1.\n*BOUNDARY\nNBALL,1,1\n"
-      "*NODE PRINT,NSET=AXIS,FREQUENCY=20\nV\n*END STEP\n", step, led));
-  input.add(fmt::format(
-      "*STEP,NLGEOM,INC=100000\n*DYNAMIC,DIRECT\n{:.12g},{:.12g}\n*BOUNDARY,OP=NEW\nNPLATE,1,3\nAXIS,1,1\n{}",
-      step, request.duration, print_plate));
+      "*NODE PRINT,NSET=AXIS,FREQUENCY=20\nV\n*END STEP\n",
+      step, led));
+  input.add(
+      fmt::format("*STEP,NLGEOM,INC=100000\n*DYNAMIC,DIRECT\n{:.12g},{:.12g}\n*BOUNDARY,OP="
+                  "NEW\nNPLATE,1,3\nAXIS,1,1\n{}",
+                  step, request.duration, print_plate));
   const std::string printed = run(input, folder);
   Trace trace = forces_on_plate(printed);
   for (double& time : trace.time) time -= led;

@@ -5,9 +5,6 @@
 
 namespace rebound::calculix {
 
-/// Is the program `ccx` there?
-bool installed();
-
 /// The ball and its material: neo-Hookean, energy μ/2 (Ī₁ − 3) + K/2 (J − 1)².
 struct Ball {
   double radius = 0.0331;        ///< [m]

@@ -34,10 +34,10 @@ void add_block(QuadraticMesh& mesh, const std::vector<double>& us, const std::ve
   for (std::size_t i = 0; i + 1 < us.size(); ++i)
     for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
       const double u = 0.5 * (us[i] + us[i + 1]), v = 0.5 * (vs[j] + vs[j + 1]);
-      std::array<Point, 8> p = {place(us[i], vs[j]), place(us[i + 1], vs[j]),
-                                place(us[i + 1], vs[j + 1]), place(us[i], vs[j + 1]),
-                                place(u, vs[j]), place(us[i + 1], v), place(u, vs[j + 1]),
-                                place(us[i], v)};
+      std::array<Point, 8> p = {
+          place(us[i], vs[j]),     place(us[i + 1], vs[j]), place(us[i + 1], vs[j + 1]),
+          place(us[i], vs[j + 1]), place(u, vs[j]),         place(us[i + 1], v),
+          place(u, vs[j + 1]),     place(us[i], v)};
       double area = 0.0;
       for (int k = 0; k < 4; ++k) area += p[k][0] * p[(k + 1) % 4][1] - p[(k + 1) % 4][0] * p[k][1];
       if (area < 0.0) p = {p[0], p[3], p[2], p[1], p[7], p[6], p[5], p[4]};
@@ -87,8 +87,8 @@ QuadraticMesh whole_sphere(double radius, int fineness) {
       const Point p = mesh.nodes[e[k]];
       image[k] = mesh.node_at({p[0], 2.0 * radius - p[1]});
     }
-    mesh.elements.push_back({image[0], image[3], image[2], image[1],
-                             image[7], image[6], image[5], image[4]});
+    mesh.elements.push_back(
+        {image[0], image[3], image[2], image[1], image[7], image[6], image[5], image[4]});
   }
   return mesh;
 }
@@ -97,8 +97,9 @@ QuadraticMesh plate(double width, double height, int cells) {
   QuadraticMesh mesh;
   std::vector<double> across;
   for (int i = 0; i <= cells; ++i) across.push_back(static_cast<double>(i) / cells);
-  add_block(mesh, across, {0.0, 1.0},
-            [&](double u, double v) { return Point{width * u, height * (v - 1.0)}; });
+  add_block(mesh, across, {0.0, 1.0}, [&](double u, double v) {
+    return Point{width * u, height * (v - 1.0)};
+  });
   return mesh;
 }
 

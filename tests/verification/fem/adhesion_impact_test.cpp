@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "fem/contact/adhesive_range.hpp"
 #include "fem/implicit/implicit_impact.hpp"
+#include "fem/interface/adhesive_range.hpp"
 #include "tests/support/fem_impacts.hpp"
 
 namespace rebound {
@@ -44,7 +44,8 @@ TEST(AdhesionImpact, EndsWithDerjaguinsPull) {
   const FemProblem problem = sticky(0.5);
   const FemResult result = test::checked_impact(mesh(), problem);
   const auto& force = result.trace.force;
-  const double largest_pull = -*std::min_element(force.begin() + static_cast<long>(force.size() / 2), force.end());
+  const double largest_pull =
+      -*std::min_element(force.begin() + static_cast<long>(force.size() / 2), force.end());
   EXPECT_NEAR(largest_pull / derjaguin(problem), 1.0, 0.1);
 }
 
@@ -52,9 +53,9 @@ TEST(AdhesionImpact, EndsWithDerjaguinsPull) {
 // 2πR ∫₀^r w (1 − g/r)² dg = 2πR w r/3.
 TEST(AdhesionImpact, LeavingCostsTheWorkOfThePull) {
   const FemProblem problem = sticky(0.5);
-  const double range =
-      fem::adhesive_range(problem, fem::Moduli::from_youngs(problem.material.youngs_modulus,
-                                                            problem.material.poisson_ratio));
+  const double range = fem::adhesive_range(
+      problem,
+      fem::Moduli::from_youngs(problem.material.youngs_modulus, problem.material.poisson_ratio));
   const FemResult result = test::checked_impact(mesh(), problem);
   EXPECT_NEAR(result.energies.back().adhesion / (derjaguin(problem) * range / 3.0), 1.0, 0.02);
 }
@@ -63,8 +64,9 @@ TEST(AdhesionImpact, LeavingCostsTheWorkOfThePull) {
 TEST(AdhesionImpact, CostsRestitutionMostWhereSlow) {
   double lost_before = 1.0;
   for (const double speed : {0.5, 1.0, 2.0, 5.0}) {
-    const double lost = test::checked_impact(mesh(), test::common_case(speed)).restitution_momentum -
-                        test::checked_impact(mesh(), sticky(speed)).restitution_momentum;
+    const double lost =
+        test::checked_impact(mesh(), test::common_case(speed)).restitution_momentum -
+        test::checked_impact(mesh(), sticky(speed)).restitution_momentum;
     EXPECT_GT(lost, 0.0) << speed;
     EXPECT_LT(lost, 0.6 * lost_before) << speed;
     lost_before = lost;
@@ -83,7 +85,8 @@ TEST(AdhesionImpact, BothSchemesAgree) {
     EXPECT_NEAR(second.restitution_momentum, first.restitution_momentum, 1e-3) << speed;
     EXPECT_NEAR(second.scalars.peak_force / first.scalars.peak_force, 1.0, 0.01) << speed;
     EXPECT_NEAR(second.scalars.contact_time / first.scalars.contact_time, 1.0, 0.01) << speed;
-    EXPECT_NEAR(second.energies.back().adhesion / first.energies.back().adhesion, 1.0, 0.02) << speed;
+    EXPECT_NEAR(second.energies.back().adhesion / first.energies.back().adhesion, 1.0, 0.02)
+        << speed;
   }
 }
 
@@ -100,8 +103,8 @@ TEST(AdhesionImpact, AStiffLoadCellReadsThePullToo) {
 TEST(AdhesionImpact, ABallThatSticksHasNoRestitution) {
   FemProblem problem = sticky(0.08);
   problem.controls.end_time = 0.03;
-  const auto body = fem::discretise(generate_sphere_mesh({.radius = 0.0331, .cells = 250}),
-                                    problem.sphere.mass);
+  const auto body =
+      fem::discretise(generate_sphere_mesh({.radius = 0.0331, .cells = 250}), problem.sphere.mass);
   const FemResult result = fem::run_explicit_impact(body, problem, {});
   EXPECT_NE(result.incomplete_because, "");
 }

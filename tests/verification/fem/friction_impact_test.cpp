@@ -9,8 +9,7 @@ namespace rebound {
 namespace {
 
 const Mesh& slow_mesh() {
-  static const Mesh made = generate_sphere_mesh(
-      {.radius = 0.0331, .cells = 1000, .grading = 30.0});
+  static const Mesh made = generate_sphere_mesh({.radius = 0.0331, .cells = 1000, .grading = 30.0});
   return made;
 }
 const Mesh& fast_mesh() {
@@ -25,7 +24,9 @@ FemResult rubbing(double speed, double friction, double poisson_ratio, const Mes
   return test::checked_impact(mesh, problem);
 }
 
-double lost_by_friction(const FemResult& result) { return result.energies.back().friction; }
+double lost_by_friction(const FemResult& result) {
+  return result.energies.back().friction;
+}
 
 TEST(FrictionImpact, StiffensLittleAndLessTheCloserToIncompressible) {
   // No slip against no friction, static: by at most ln(3 − 4ν)/(1 − 2ν) of a flat

@@ -3,7 +3,7 @@
 // Free plate: an elastic two-body impact. The finite sphere's static law
 // x = δ_Hertz(F) − C F/(E R), C = 0.37 at ν = 0.4, with the reduced mass
 // m_r = m M/(m + M) gives the largest force from the energy and the contact
-// time by quadrature; M → ∞ is rung d, with its tolerances.
+// time by quadrature; M → ∞ is case d, with its tolerances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,8 @@ Expected finite_sphere_impact(const Pair& pair) {
   };
   const double brought = 0.5 * reduced_mass * speed * speed;
   double low = 2.0 * pair.weight, high = 1e4 * speed;
-  for (int i = 0; i < 200; ++i) (energy(0.5 * (low + high)) < brought ? low : high) = 0.5 * (low + high);
+  for (int i = 0; i < 200; ++i)
+    (energy(0.5 * (low + high)) < brought ? low : high) = 0.5 * (low + high);
   // dt = dx/dF dF / ẋ with F = F_max (1 − s²), which takes the root out of the end.
   constexpr int parts = 20000;
   double time = 0.0;
@@ -51,8 +52,7 @@ Expected finite_sphere_impact(const Pair& pair) {
 }
 
 const Mesh& slow_mesh() {
-  static const Mesh made = generate_sphere_mesh(
-      {.radius = 0.0331, .cells = 1000, .grading = 60.0});
+  static const Mesh made = generate_sphere_mesh({.radius = 0.0331, .cells = 1000, .grading = 60.0});
   return made;
 }
 const Mesh& fast_mesh() {
@@ -74,9 +74,9 @@ const std::vector<double>& column(const FemResult& result, const std::string& na
   throw std::runtime_error("no column " + name);
 }
 
-TEST(MovingPlateImpact, TheClosedFormIsRungDForAWall) {
+TEST(MovingPlateImpact, TheClosedFormIsCaseDForAWall) {
   const Expected wall = finite_sphere_impact({ball, 0.1});
-  // The correction is of first order in F/(E R²); the rung's own is not.
+  // The correction is of first order in F/(E R²); the case's own is not.
   EXPECT_NEAR(wall.force / 6.722, 1.0, 2e-3);
   EXPECT_NEAR(wall.time / 4.944e-3, 1.0, 2e-3);
 }
@@ -94,12 +94,12 @@ TEST(MovingPlateImpact, FreePlateIsATwoBodyImpact) {
         0.1, {.stiffness = almost_free, .mass = plate_mass, .damping_ratio = 0.0}, slow_mesh());
     const Expected expected = finite_sphere_impact({ball * plate_mass / (ball + plate_mass), 0.1});
     const auto& force = column(result, "contact_force_N");
-    EXPECT_NEAR(refined_peak(result.trace.time, force) / expected.force, 1.0, tolerance) << plate_mass;
+    EXPECT_NEAR(refined_peak(result.trace.time, force) / expected.force, 1.0, tolerance)
+        << plate_mass;
     EXPECT_NEAR(result.scalars.contact_time / expected.time, 1.0, tolerance) << plate_mass;
     // Momentum, and relative speed restored but for the vibration of the ball.
     const double rebound = result.scalars.rebound_speed;
-    const double plate_speed =
-        std::sqrt(2.0 * result.energies.back().plate_kinetic / plate_mass);
+    const double plate_speed = std::sqrt(2.0 * result.energies.back().plate_kinetic / plate_mass);
     EXPECT_NEAR(plate_mass * plate_speed / (ball * (0.1 + rebound)), 1.0, 1e-6);
     EXPECT_NEAR((plate_speed + rebound) / 0.1, 1.0, 2e-3) << plate_mass;
   }
@@ -131,8 +131,9 @@ TEST(MovingPlateImpact, FastLoadCellReadsTheContactForce) {
   const double peak = refined_peak(result.trace.time, contact);
   EXPECT_NEAR(result.scalars.peak_force / peak, 1.0, 0.01);
   EXPECT_NEAR(refined_peak(result.trace.time, displacement) * 2e9 / peak, 1.0, 0.01);
-  EXPECT_NEAR(integral(result.trace.time, result.trace.force) /
-                  integral(result.trace.time, contact), 1.0, 1e-4);
+  EXPECT_NEAR(
+      integral(result.trace.time, result.trace.force) / integral(result.trace.time, contact), 1.0,
+      1e-4);
 }
 
 TEST(MovingPlateImpact, RingingPlateDoesNotKeepTheRunAlive) {
@@ -146,7 +147,7 @@ TEST(MovingPlateImpact, RingingPlateDoesNotKeepTheRunAlive) {
   EXPECT_EQ(last.plate_damper, 0.0);
 }
 
-TEST(MovingPlateImpact, DamperBooksWhatItTakes) {
+TEST(MovingPlateImpact, DamperCountsWhatItTakes) {
   const FemResult result =
       impact(15, {.stiffness = 5e6, .mass = 0.3, .damping_ratio = 0.3}, fast_mesh());
   EXPECT_GT(result.energies.back().plate_damper, 0.1);  // [J] of 10
@@ -161,11 +162,12 @@ TEST(GravityImpact, RaisesTheForceAndAddsItsImpulse) {
   const double rise = with.scalars.peak_force - without.scalars.peak_force;
   const double expected = finite_sphere_impact({ball, 0.1, ball * 9.81}).force -
                           finite_sphere_impact({ball, 0.1}).force;
-  EXPECT_GT(expected, 1.5 * ball * 9.81);  // first order, Hertz
+  EXPECT_GT(expected, 1.5 * ball * 9.81);   // first order, Hertz
   EXPECT_NEAR(rise / expected, 1.0, 0.03);  // half a per cent of the whole force
   const double impulse = integral(with.trace.time, with.trace.force);
   EXPECT_NEAR(impulse / (ball * (0.1 + with.scalars.rebound_speed) +
-                         ball * 9.81 * with.scalars.contact_time), 1.0, 1e-9);
+                         ball * 9.81 * with.scalars.contact_time),
+              1.0, 1e-9);
   EXPECT_NEAR(with.restitution_momentum, 1.0, 2e-3);
 }
 
@@ -182,7 +184,8 @@ TEST(GravityImpact, BallThatRestsReadsItsWeight) {
   EXPECT_NE(result.incomplete_because, "");
   const std::size_t n = result.trace.time.size();
   double mean = 0.0;
-  for (std::size_t i = n - n / 4; i < n; ++i) mean += result.trace.force[i] / static_cast<double>(n / 4);
+  for (std::size_t i = n - n / 4; i < n; ++i)
+    mean += result.trace.force[i] / static_cast<double>(n / 4);
   EXPECT_NEAR(mean / (ball * 9.81), 1.0, 0.03);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "comparisons/verification/targets.hpp"
+#include "comparisons/accuracy/verification/targets.hpp"
 #include "fem/implicit/implicit_impact.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_impacts.hpp"
@@ -24,25 +24,28 @@ FemResult implicit_impact(const Mesh& mesh, const FemProblem& problem) {
   return result;
 }
 
-// Rung d; tolerances as in rung_d_test.cpp, contact time by the end of the force.
-TEST(TwoSchemes, RungD) {
-  for (const auto& rung : targets::sphere_impacts) {
-    const FemProblem problem = test::common_case(rung.speed);
-    const FemResult result = implicit_impact(
-        generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = 250,
-                              .grading = targets::low_speed_grading}),
-        problem);
-    EXPECT_NEAR(result.scalars.peak_force / rung.force, 1.0, rung.force_tolerance) << rung.speed;
-    EXPECT_NEAR(result.scalars.contact_time / rung.time, 1.0, rung.time_tolerance) << rung.speed;
-    EXPECT_GE(result.restitution_momentum, 0.998) << rung.speed;
-    EXPECT_LT(result.restitution_momentum, 1.0) << rung.speed;
+// Case d; tolerances as in rung_d_test.cpp, contact time by the end of the force.
+TEST(TwoSchemes, VerificationCaseD) {
+  for (const auto& case_id : targets::sphere_impacts) {
+    const FemProblem problem = test::common_case(case_id.speed);
+    const FemResult result =
+        implicit_impact(generate_sphere_mesh({.radius = problem.sphere.radius(),
+                                              .cells = 250,
+                                              .grading = targets::low_speed_grading}),
+                        problem);
+    EXPECT_NEAR(result.scalars.peak_force / case_id.force, 1.0, case_id.force_tolerance)
+        << case_id.speed;
+    EXPECT_NEAR(result.scalars.contact_time / case_id.time, 1.0, case_id.time_tolerance)
+        << case_id.speed;
+    EXPECT_GE(result.restitution_momentum, 0.998) << case_id.speed;
+    EXPECT_LT(result.restitution_momentum, 1.0) << case_id.speed;
   }
 }
 
-// Rung d′: a bar without lateral contraction; ρ c v, 2 L/c, e = 1. The front of
+// Case d′: a bar without lateral contraction; ρ c v, 2 L/c, e = 1. The front of
 // the wave is a jump, behind which any second-order scheme rings: what is missing
 // from e is that, and falls as a power 2/3 of cell and step.
-TEST(TwoSchemes, RungDBar) {
+TEST(TwoSchemes, VerificationCaseDBar) {
   const double area = std::numbers::pi * targets::bar_radius * targets::bar_radius;
   FemProblem problem;
   problem.sphere = {.mass = targets::bar_density * area * targets::bar_length,
@@ -53,10 +56,11 @@ TEST(TwoSchemes, RungDBar) {
   for (const int level : {0, 1}) {
     const int finer = level == 0 ? 1 : 3;
     problem.controls.output_interval = targets::bar_time / (200 * finer);
-    const FemResult result = implicit_impact(
-        cylinder_mesh({.radius = targets::bar_radius, .length = targets::bar_length,
-                       .cells_across = 1, .cells_along = 50 * finer}),
-        problem);
+    const FemResult result = implicit_impact(cylinder_mesh({.radius = targets::bar_radius,
+                                                            .length = targets::bar_length,
+                                                            .cells_across = 1,
+                                                            .cells_along = 50 * finer}),
+                                             problem);
     double force = 0.0, samples = 0.0;
     for (std::size_t i = 0; i < result.trace.time.size(); ++i)
       if (std::abs(result.trace.time[i] / targets::bar_time - 0.5) < 0.3) {
@@ -77,7 +81,9 @@ TEST(TwoSchemes, AgreeAtFifteenMetresPerSecond) {
   for (const double ratio : {0.0, 0.4}) {
     FemProblem problem = test::common_case(15.0);
     if (ratio > 0.0) problem.material.branches = {{ratio, 0.3e-3, Relaxes::all}};
-    const auto mesh = [](int cells) { return generate_sphere_mesh({.radius = 0.0331, .cells = cells}); };
+    const auto mesh = [](int cells) {
+      return generate_sphere_mesh({.radius = 0.0331, .cells = cells});
+    };
     const FemResult second = implicit_impact(mesh(250), problem);
     const FemResult first = test::checked_impact(mesh(1000), problem);
     EXPECT_NEAR(second.restitution_momentum / first.restitution_momentum, 1.0, 1e-3);
@@ -101,8 +107,10 @@ double largest_at(const ShapeHistory& shapes, ShapeQuantity quantity, double tim
 }
 
 // Fields of the two schemes, found by ways that share the stress formulas alone. The
-// largest stress and densities lie inside and agree within 1.6 %; the largest pressure
-// lies at the plate, where a mean over a cell of twice the size is up to 8 % lower.
+// largest stress and densities lie inside and agree within 1.6 %. The largest pressure lies
+// at the plate, where it is a mean over a cell that depends on the cell's size (4 to 9 %, by the
+// explicit scheme alone on the two meshes): the implicit one, on the coarse cells, must lie no
+// farther from the fine mesh than the explicit one does there, and the 2 % of the other fields.
 TEST(TwoSchemes, FieldsAgree) {
   FemProblem problem = test::common_case(15);
   problem.material.branches = {{0.3, 0.3e-3, Relaxes::all}};
@@ -111,15 +119,19 @@ TEST(TwoSchemes, FieldsAgree) {
     return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = cells});
   };
   const ShapeHistory first = test::checked_impact(mesh(1000), problem).shapes;
+  const ShapeHistory same_cells = test::checked_impact(mesh(250), problem).shapes;
   const ShapeHistory second = implicit_impact(mesh(250), problem).shapes;
   for (const double time : {0.4e-3, 0.9e-3, 1.2e-3}) {
     const auto ratio = [&](ShapeQuantity quantity) {
       return largest_at(second, quantity, time) / largest_at(first, quantity, time);
     };
-    for (const auto quantity : {ShapeQuantity::von_mises, ShapeQuantity::stored,
-                                ShapeQuantity::dissipated_or_held})
+    for (const auto quantity :
+         {ShapeQuantity::von_mises, ShapeQuantity::stored, ShapeQuantity::dissipated_or_held})
       EXPECT_NEAR(ratio(quantity), 1.0, 0.02) << time;
-    EXPECT_NEAR(ratio(ShapeQuantity::pressure), 0.95, 0.05) << time;
+    const double coarse = largest_at(same_cells, ShapeQuantity::pressure, time) /
+                          largest_at(first, ShapeQuantity::pressure, time);
+    EXPECT_LE(std::abs(ratio(ShapeQuantity::pressure) - 1.0), std::abs(coarse - 1.0) + 0.02)
+        << time;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/interface/elastic_models.hpp"
 #include "tests/support/fem_impacts.hpp"
 
 namespace rebound {
@@ -24,7 +25,7 @@ FemResult impact(double ratio, double relaxation_time, Relaxes relaxes) {
   return test::checked_impact(mesh(), with_branch(ratio, relaxation_time, relaxes));
 }
 
-TEST(ViscoelasticImpact, EnergyLostIsEnergyBooked) {
+TEST(ViscoelasticImpact, EnergyLostIsEnergyCounted) {
   for (const auto relaxes : {Relaxes::all, Relaxes::deviator})
     for (const double ratio : {0.1, 0.5}) {
       const FemResult result = impact(ratio, 0.3e-3, relaxes);
@@ -32,11 +33,12 @@ TEST(ViscoelasticImpact, EnergyLostIsEnergyBooked) {
       const double brought = 0.5 * 0.0896 * 15.0 * 15.0;
       const double branches = result.energies.back().branches / brought;
       EXPECT_NEAR(1.0 - e * e,
-                  branches + result.vibrational_energy_share + result.contact_constraint_share, 3e-4);
+                  branches + result.vibrational_energy_share + result.contact_constraint_share,
+                  3e-4);
       EXPECT_GT(branches, 0.5 * ratio);
       ASSERT_EQ(result.energies.size(), result.trace.time.size());
       // Energy that branches hold may come back; never more than they took.
-      for (const auto& book : result.energies) EXPECT_GT(book.branches, -1e-4 * brought);
+      for (const auto& balance : result.energies) EXPECT_GT(balance.branches, -1e-4 * brought);
     }
 }
 

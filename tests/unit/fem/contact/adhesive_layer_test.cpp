@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "fem/contact/adhesive_range.hpp"
 #include "fem/contact/moving_plate.hpp"
+#include "fem/interface/adhesive_range.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
@@ -53,8 +53,8 @@ TEST(AdhesiveLayerTest, PullIsTheSlopeOfThePotential) {
   const AdhesiveLayer layer(four_nodes(), {.work = 3.0, .range = 0.4});
   constexpr double h = 1e-6;
   for (const double gap : {0.05, 0.2, 0.39, 0.41, 1.0})
-    EXPECT_NEAR(layer.pull(1, gap), (layer.potential(1, gap + h) - layer.potential(1, gap - h)) / (2 * h),
-                1e-7)
+    EXPECT_NEAR(layer.pull(1, gap),
+                (layer.potential(1, gap + h) - layer.potential(1, gap - h)) / (2 * h), 1e-7)
         << gap;
   EXPECT_DOUBLE_EQ(layer.potential(1, 0.0), -2.0 * 3.0);
   EXPECT_EQ(layer.pull(1, 0.4), 0.0);
@@ -66,13 +66,14 @@ TEST(AdhesiveLayerTest, BodyAndPlatePullEachOtherAlike) {
   const Discretisation body = four_nodes();
   test::Random random(11);
   for (int i = 0; i < 100; ++i) {
-    MovingPlate plate(body, {.stiffness = 1e-12, .mass = random.between(0.5, 5), .damping_ratio = 0.0},
+    MovingPlate plate(body,
+                      {.stiffness = 1e-12, .mass = random.between(0.5, 5), .damping_ratio = 0.0},
                       {.work = 2.0, .range = 0.3});
     std::vector<double> u = random.vector(8, 0.2), v = random.vector(8, 4.0);
     for (double& value : u) value = std::abs(value);
     const auto before = v;
     plate.remember(v);
-    const PlateStep step = plate.hold_back(u, v, {.kick = 0.01, .drift = 0.01});
+    const PlateStep step = plate.apply_contact(u, v, {.kick = 0.01, .drift = 0.01});
     double gained = 0.0;
     for (const int node : body.contact_nodes)
       gained += body.mass[node] * (v[2 * node + 1] - before[2 * node + 1]);

@@ -26,14 +26,14 @@ TEST(MovingPlateTest, ExchangesMomentum) {
   const Discretisation body = four_nodes();
   test::Random random(3);
   for (int i = 0; i < 200; ++i) {
-    MovingPlate plate(body, {.stiffness = almost_free, .mass = random.between(0.1, 10),
-                             .damping_ratio = 0.0});
+    MovingPlate plate(
+        body, {.stiffness = almost_free, .mass = random.between(0.1, 10), .damping_ratio = 0.0});
     std::vector<double> u = random.vector(8, 0.2);
     for (double& value : u) value = std::abs(value);  // nothing starts below the plate
     std::vector<double> v = random.vector(8, 4.0);
     const auto before = v;
     plate.remember(v);
-    const PlateStep step = plate.hold_back(u, v, span);
+    const PlateStep step = plate.apply_contact(u, v, span);
     double gained = 0.0;
     for (const int node : body.contact_nodes)
       gained += body.mass[node] * (v[2 * node + 1] - before[2 * node + 1]);
@@ -54,7 +54,7 @@ TEST(MovingPlateTest, NodesTouchOrAreFree) {
     std::vector<double> u = random.vector(8, 0.3), v = random.vector(8, 5.0);
     const auto before = v;
     plate.remember(v);
-    plate.hold_back(u, v, span);
+    plate.apply_contact(u, v, span);
     const double surface = -span.drift * plate.state().velocity;
     for (const int node : body.contact_nodes) {
       const std::size_t k = 2 * node + 1;
@@ -73,16 +73,16 @@ TEST(MovingPlateTest, NodesTouchOrAreFree) {
 
 TEST(MovingPlateTest, HeavyOrStiffIsRigid) {
   const Discretisation body = four_nodes();
-  for (const Plate& wall : {Plate{.stiffness = almost_free, .mass = 1e12},
-                            Plate{.stiffness = 1e15, .mass = 1.0}}) {
+  for (const Plate& wall :
+       {Plate{.stiffness = almost_free, .mass = 1e12}, Plate{.stiffness = 1e15, .mass = 1.0}}) {
     MovingPlate plate(body, wall);
     RigidPlate rigid(body);
     const std::vector<double> u(8, 0.0);
     std::vector<double> v = {0, -3, 0, -4, 0, -1, 0, -1}, expected = v;
     plate.remember(v);
     rigid.remember(v);
-    const PlateStep a = plate.hold_back(u, v, span);
-    const PlateStep b = rigid.hold_back(u, expected, span);
+    const PlateStep a = plate.apply_contact(u, v, span);
+    const PlateStep b = rigid.apply_contact(u, expected, span);
     for (int i = 0; i < 8; ++i) EXPECT_NEAR(v[i], expected[i], 1e-9);
     EXPECT_NEAR(a.impulse, b.impulse, 1e-9);
     EXPECT_NEAR(a.constraint_work, b.constraint_work, 1e-8);
@@ -97,13 +97,13 @@ class StruckPlate {
     std::vector<double> u(8, 0.0), v(8, 0.0);
     v[1] = -1.0;
     plate_.remember(v);
-    plate_.hold_back(u, v, {.kick = step, .drift = step});
+    plate_.apply_contact(u, v, {.kick = step, .drift = step});
     plate_.drift(step);
   }
   PlateStep advance() {
     std::vector<double> u(8, 100.0), v(8, 0.0);
     plate_.remember(v);
-    const PlateStep result = plate_.hold_back(u, v, {.kick = step, .drift = step});
+    const PlateStep result = plate_.apply_contact(u, v, {.kick = step, .drift = step});
     plate_.drift(step);
     return result;
   }
@@ -118,7 +118,7 @@ class StruckPlate {
   MovingPlate plate_;
 };
 
-TEST(MovingPlateTest, FreeRingingKeepsItsEnergyWithTheDamperBooked) {
+TEST(MovingPlateTest, FreeRingingKeepsItsEnergyWithTheDamperCounted) {
   for (const double damping : {0.0, 0.05, 3.0}) {
     StruckPlate struck({.stiffness = 4e4, .mass = 1.0, .damping_ratio = damping});  // ω Δt = 0.2
     struck.advance();

@@ -25,21 +25,21 @@ TEST(RigidPlateTest, LeavesAloneWhatDoesNotPenetrate) {
   std::vector<double> v = {0, 3, 0, -0.99, 0, 0, 0, -100};
   const auto before = v;
   plate.remember(v);
-  const PlateStep step = plate.hold_back(u, v, span);
+  const PlateStep step = plate.apply_contact(u, v, span);
   EXPECT_EQ(v, before);
   EXPECT_EQ(step.impulse, 0.0);
   EXPECT_EQ(step.constraint_work, 0.0);
   EXPECT_EQ(step.contact_radius, 0.0);
 }
 
-TEST(RigidPlateTest, BooksImpulseAndWorkOfACaughtNode) {
+TEST(RigidPlateTest, CountsImpulseAndWorkOfACaughtNode) {
   RigidPlate plate(four_nodes());
   std::vector<double> u(8, 0.0);
   u[2] = 0.25;  // node 1 has moved outwards
   std::vector<double> v = {0, 1, 0, -4, 0, 0, 0, 0};
   plate.remember(v);
   v[3] = -5;  // what the internal forces made of it
-  const PlateStep step = plate.hold_back(u, v, span);
+  const PlateStep step = plate.apply_contact(u, v, span);
   EXPECT_DOUBLE_EQ(v[3], -1.0);  // arrives on the plate: 0.1 − 0.1·1 = 0
   EXPECT_DOUBLE_EQ(step.impulse, 2.0 * (-1.0 + 5.0));
   EXPECT_DOUBLE_EQ(step.constraint_work, 0.5 * step.impulse * (-4.0 - 1.0));
@@ -55,7 +55,7 @@ TEST(RigidPlateTest, WorkAndKickCloseTheEnergyOfTheNode) {
   plate.remember(v);
   const double from_inside = 2.0 * (-5.0 - -4.0);
   v[3] = -5;
-  const PlateStep step = plate.hold_back(u, v, span);
+  const PlateStep step = plate.apply_contact(u, v, span);
   const double change = 0.5 * 2.0 * (v[3] * v[3] - 4.0 * 4.0);
   EXPECT_NEAR(step.constraint_work + from_inside * 0.5 * (-4.0 + v[3]), change, 1e-14);
 }
@@ -69,7 +69,7 @@ TEST(RigidPlateTest, OnlyPushes) {
       std::vector<double> v(8, 0.0);
       v[1] = speed;
       plate.remember(v);
-      const PlateStep step = plate.hold_back(u, v, span);
+      const PlateStep step = plate.apply_contact(u, v, span);
       EXPECT_GE(step.impulse, 0.0);
       EXPECT_GE(v[1], speed);
       EXPECT_GE(z + span.drift * v[1], -1e-16);
@@ -93,7 +93,7 @@ TEST(FrictionTest, NodeSticksWithinTheConeAndSlidesOutsideIt) {
     const std::vector<double> u(8, 0.0);
     std::vector<double> v = {speed, -4, 7, 1, 0, 0, 0, 0};
     plate.remember(v);
-    const PlateStep step = plate.hold_back(u, v, span);
+    const PlateStep step = plate.apply_contact(u, v, span);
     const double within = 0.3 * impulse;
     const double expected = std::abs(speed) < within ? 0.0 : speed - std::copysign(within, speed);
     EXPECT_NEAR(v[0], expected, 1e-15);
@@ -108,7 +108,7 @@ TEST(FrictionTest, NoneChangesNoBit) {
   const std::vector<double> u(8, 0.0);
   std::vector<double> v = {0.3, -4, 0.1, -5, 0, 0, 0, 0};
   plate.remember(v);
-  const PlateStep step = plate.hold_back(u, v, span);
+  const PlateStep step = plate.apply_contact(u, v, span);
   EXPECT_EQ(v[0], 0.3);
   EXPECT_EQ(v[2], 0.1);
   EXPECT_EQ(step.friction_work, 0.0);

@@ -89,15 +89,29 @@ TEST(DiscretisationTest, RefusesWhatWouldGiveAWrongAnswer) {
   };
   EXPECT_NE(refuses([](Mesh& m) { m.cells.clear(); }).find("no cells"), std::string::npos);
   EXPECT_NE(refuses([](Mesh& m) { m.contact_edges.clear(); }).find("contact"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.vertices[0][0] = -1e-3; }).find("negative radius"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { std::swap(m.cells[3][1], m.cells[3][3]); }).find("mesh refused"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.vertices[7] = {0.9, 1.1}; }).find("mesh refused"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.vertices[7][0] = nan; }).find("mesh refused"), std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) { m.vertices[0][0] = -1e-3; }).find("negative radius"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) { std::swap(m.cells[3][1], m.cells[3][3]); }).find("mesh refused"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) {
+              m.vertices[7] = {0.9, 1.1};
+            }).find("mesh refused"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) { m.vertices[7][0] = nan; }).find("mesh refused"),
+            std::string::npos);
   EXPECT_NE(refuses([](Mesh& m) { m.axis_edges.pop_back(); }).find("axis"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.axis_edges.push_back({1, 2}); }).find("axis"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.cells[0][2] = 999; }).find("does not exist"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.contact_edges.push_back({0, -1}); }).find("no cell"), std::string::npos);
-  EXPECT_NE(refuses([](Mesh& m) { m.vertices[2][1] = -0.01; }).find("below the plate"), std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) {
+              m.axis_edges.push_back({1, 2});
+            }).find("axis"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) { m.cells[0][2] = 999; }).find("does not exist"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) {
+              m.contact_edges.push_back({0, -1});
+            }).find("no cell"),
+            std::string::npos);
+  EXPECT_NE(refuses([](Mesh& m) { m.vertices[2][1] = -0.01; }).find("below the plate"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -51,8 +51,9 @@ double largest_frequency_squared(const Discretisation& body, test::KernelCase& c
     scale(j) = 1.0 / std::sqrt(body.mass[j / 2]);
   }
   for (const int node : body.axis_nodes) scale(2 * node) = 0.0;
-  stiffness = (scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) *
-               scale.asDiagonal()).eval();
+  stiffness =
+      (scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal())
+          .eval();
   return Eigen::SelfAdjointEigenSolver<decltype(stiffness)>(stiffness, Eigen::EigenvaluesOnly)
       .eigenvalues()
       .maxCoeff();
@@ -67,8 +68,9 @@ TEST_P(StableStep, FrequencyOfCellAtRest) {
     test::KernelCase cell(body, test::unit_material(GetParam()), *find_cell_kernel("baseline"));
     const std::vector<double> rest(cell.size(), 0.0);
     cell.force(rest);
-    EXPECT_NEAR(largest_frequency_squared(body, cell, rest) / cell.summary().largest_frequency_squared,
-                1.0, 5e-6);  // of the difference quotients
+    EXPECT_NEAR(
+        largest_frequency_squared(body, cell, rest) / cell.summary().largest_frequency_squared, 1.0,
+        5e-6);  // of the difference quotients
   }
 }
 
@@ -86,16 +88,15 @@ TEST_P(StableStep, FrequencyOfDeformedCell) {
       cell.force(u);
       const CellSummary summary = cell.summary();
       if (summary.smallest_jacobian < 0.15) continue;
-      worst = std::max(worst, largest_frequency_squared(body, cell, u) /
-                                  summary.largest_frequency_squared);
+      worst = std::max(
+          worst, largest_frequency_squared(body, cell, u) / summary.largest_frequency_squared);
     }
     EXPECT_LT(worst, 1.03) << "Poisson ratio " << poisson_ratio;
     EXPECT_GT(worst, 0.5) << "the estimate wastes steps";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Elastic, StableStep,
-                         ::testing::ValuesIn(test::elastic_models));
+INSTANTIATE_TEST_SUITE_P(Elastic, StableStep, ::testing::ValuesIn(test::elastic_models));
 
 }  // namespace
 }  // namespace rebound::fem

@@ -16,9 +16,8 @@ constexpr double radius = 0.0331;
 struct Sticky {
   QuadraticBody body = quadratic_body(generate_sphere_mesh({.radius = radius, .cells = 200}),
                                       {.radius = radius, .mass = 0.0896});
-  BodyForces forces{body, {.youngs_modulus = 1e7, .poisson_ratio = 0.4}, ContactInertia::kept};
   AdhesiveTraction traction{.work = 20.0, .range = 0.1 * radius};
-  AdhesiveSides sides{body, traction, forces.empty_matrix()};
+  AdhesiveSides sides{body, traction};
 
   Eigen::VectorXd random_field(double size, unsigned seed) const {
     test::Random random(seed);
@@ -45,17 +44,19 @@ TEST(AdhesiveSidesTest, ForceIsTheGradientOfThePotential) {
   ball.sides.add_forces(u, force);
   // Where a point leaves the range the potential has a kink in its second derivative.
   constexpr double h = 1e-8;
-  const double slope = (ball.sides.potential(u + h * direction) - ball.sides.potential(u - h * direction)) / (2 * h);
+  const double slope =
+      (ball.sides.potential(u + h * direction) - ball.sides.potential(u - h * direction)) / (2 * h);
   EXPECT_NEAR(slope / force.dot(direction), 1.0, 1e-6);
 }
 
 TEST(AdhesiveSidesTest, DerivativeIsThatOfTheForce) {
   const Sticky ball;
   const auto u = ball.random_field(1e-4, 3), direction = ball.random_field(1.0, 4);
-  SystemMatrix matrix = ball.forces.empty_matrix();
-  matrix.coeffs().setZero();
+  const SystemMatrix mass(ball.body, ContactInertia::kept);
+  SystemMatrix matrix = mass;
+  matrix.set(0.0, mass);
   ball.sides.add_derivative(u, matrix);
-  const Eigen::VectorXd change = matrix.selfadjointView<Eigen::Lower>() * direction;
+  const Eigen::VectorXd change = matrix.times(direction);
   constexpr double h = 1e-8;
   Eigen::VectorXd ahead = Eigen::VectorXd::Zero(u.size()), behind = ahead;
   ball.sides.add_forces(u + h * direction, ahead);

@@ -1,4 +1,4 @@
-// Fields of the second scheme, read back: against its energy book and trace.
+// Fields of the second scheme, read back: against its energy balance and trace.
 #include "fem/implicit/implicit_fields.hpp"
 
 #include <gtest/gtest.h>
@@ -67,16 +67,17 @@ double contact_force(const test::Vtu& frame) {
   return force;
 }
 
-TEST(ImplicitFieldsTest, DensitiesSumUpToTheEnergyBook) {
+TEST(ImplicitFieldsTest, DensitiesSumUpToTheEnergyBalance) {
   const double brought = 0.5 * 0.0896 * 15.0 * 15.0;
   ASSERT_GE(shown().frames.size(), 15u);
   int compared = 0;
   for (const test::Vtu& frame : shown().frames)
     for (std::size_t k = 0; k < shown().result.trace.time.size(); ++k) {
       if (std::abs(shown().result.trace.time[k] - frame.time) > 1e-12) continue;
-      const EnergyBook& book = shown().result.energies[k];
-      EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), book.stored, 1e-6 * brought);
-      EXPECT_NEAR(integral(frame, "dissipated_or_held_energy_J_m3"), book.branches, 1e-6 * brought);
+      const EnergyBalance& balance = shown().result.energies[k];
+      EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), balance.stored, 1e-6 * brought);
+      EXPECT_NEAR(integral(frame, "dissipated_or_held_energy_J_m3"), balance.branches,
+                  1e-6 * brought);
       ++compared;
     }
   EXPECT_GE(compared, 15);

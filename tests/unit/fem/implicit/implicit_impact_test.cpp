@@ -63,7 +63,7 @@ TEST(ImplicitImpactTest, BranchesTakeWhatRestitutionMisses) {
               result.energies.back().branches / brought + result.vibrational_energy_share +
                   result.contact_constraint_share,
               1e-3);
-  for (const EnergyBook& book : result.energies) EXPECT_GT(book.branches, -1e-4 * brought);
+  for (const EnergyBalance& balance : result.energies) EXPECT_GT(balance.branches, -1e-4 * brought);
 }
 
 TEST(ImplicitImpactTest, TooShortAnEndTimeGivesNoScalars) {

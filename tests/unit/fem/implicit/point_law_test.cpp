@@ -11,15 +11,18 @@
 namespace rebound::fem {
 namespace {
 
-using test::Random;
 using test::elastic_models;
+using test::Random;
 using test::unit_material;
 
 Symmetric<double> strained(Random& random, double size) {
-  return {1.0 + size * random(), 1.0 + size * random(), 1.0 + size * random(), 0.5 * size * random()};
+  return {1.0 + size * random(), 1.0 + size * random(), 1.0 + size * random(),
+          0.5 * size * random()};
 }
 
-Eigen::Vector4d vector_of(const Symmetric<double>& s) { return {s.rr, s.zz, s.tt, s.rz}; }
+Eigen::Vector4d vector_of(const Symmetric<double>& s) {
+  return {s.rr, s.zz, s.tt, s.rz};
+}
 
 Material with_branches(ElasticModel model) {
   Material material = unit_material(model);
@@ -39,10 +42,13 @@ TEST(PointLawTest, TangentIsTheDerivativeOfTheStress) {
     EXPECT_LT((at.stress - vector_of(law.stress(c, states.data()))).norm(), 1e-14);
     EXPECT_LT((at.tangent - at.tangent.transpose()).norm(), 1e-13 * at.tangent.norm());
     const auto e = strained(random, 1.0);  // direction
-    const Eigen::Vector4d strain(0.5 * e.rr, 0.5 * e.zz, 0.5 * e.tt, e.rz);  // E = C/2, 2 E_rz = C_rz
+    const Eigen::Vector4d strain(0.5 * e.rr, 0.5 * e.zz, 0.5 * e.tt,
+                                 e.rz);  // E = C/2, 2 E_rz = C_rz
     const auto remainder = [&](double h) {
-      const Symmetric<double> moved{c.rr + h * e.rr, c.zz + h * e.zz, c.tt + h * e.tt, c.rz + h * e.rz};
-      return (vector_of(law.stress(moved, states.data())) - at.stress - h * at.tangent * strain).norm();
+      const Symmetric<double> moved{c.rr + h * e.rr, c.zz + h * e.zz, c.tt + h * e.tt,
+                                    c.rz + h * e.rz};
+      return (vector_of(law.stress(moved, states.data())) - at.stress - h * at.tangent * strain)
+          .norm();
     };
     EXPECT_NEAR(test::smallest_slope(remainder, 1e-2), 2.0, 0.1);
   }

@@ -1,8 +1,9 @@
-// The nine-node body: shape functions, geometry of the curved side, mass.
+// The nine-node body: places of its nodes, geometry of the curved side, mass.
 #include "fem/implicit/quadratic_body.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,31 +15,67 @@
 namespace rebound::fem {
 namespace {
 
-double volume_of(const QuadraticBody& body) { return body.mass / body.density; }
+double volume_of(const QuadraticBody& body) {
+  return body.mass / body.density;
+}
 
-TEST(QuadraticBodyTest, ShapesAreOneAtTheirNodeAndSumToOne) {
-  constexpr double nodes[quadratic_nodes][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1},
-                                                {1, 0},   {0, 1},  {-1, 0}, {0, 0}};
-  for (int node = 0; node < quadratic_nodes; ++node) {
-    const QuadraticShapes shapes(nodes[node][0], nodes[node][1]);
-    for (int i = 0; i < quadratic_nodes; ++i) EXPECT_EQ(shapes.value[i], i == node ? 1.0 : 0.0);
+// Σ N = 1, Σ N x = x, Σ x ∇N = 1 in every cell, curved sides and all: places, numbers
+// of nodes and what deal.II says of its shape functions belong together.
+TEST(QuadraticBodyTest, ShapesCarryOneAndThePlace) {
+  const auto body = quadratic_body(generate_sphere_mesh({.radius = 1.0, .cells = 60}),
+                                   {.radius = 1.0, .mass = 1.0});
+  for (const QuadraticCell& cell : body.cells) {
+    for (int side = 0; side < 4; ++side) {  // nodes in the order around the cell
+      const auto &a = body.position[cell.nodes[side]],
+                 &b = body.position[cell.nodes[(side + 1) % 4]];
+      const auto& middle = body.position[cell.nodes[4 + side]];
+      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+      EXPECT_LT(std::hypot(0.5 * (a[0] + b[0]) - middle[0], 0.5 * (a[1] + b[1]) - middle[1]),
+                0.1 * length);
+    }
+    for (const auto& point : cell.points) {
+      double sum = 0.0, radius = 0.0, slope[2][2] = {};
+      for (int i = 0; i < quadratic_nodes; ++i) {
+        const auto& x = body.position[cell.nodes[i]];
+        sum += point.shape[i];
+        radius += point.shape[i] * x[0];
+        for (int k = 0; k < 2; ++k)
+          for (int s = 0; s < 2; ++s) slope[k][s] += x[k] * point.gradient[i][s];
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-14);
+      EXPECT_NEAR(radius, point.radius, 1e-14);
+      for (int k = 0; k < 2; ++k)
+        for (int s = 0; s < 2; ++s) EXPECT_NEAR(slope[k][s], k == s ? 1.0 : 0.0, 1e-12);
+    }
   }
-  constexpr double h = 1e-6;
-  const QuadraticShapes at(0.3, -0.7), right(0.3 + h, -0.7), up(0.3, -0.7 + h);
-  double sum = 0.0;
-  for (int i = 0; i < quadratic_nodes; ++i) {
-    sum += at.value[i];
-    EXPECT_NEAR((right.value[i] - at.value[i]) / h, at.slope[i][0], 2e-6);
-    EXPECT_NEAR((up.value[i] - at.value[i]) / h, at.slope[i][1], 2e-6);
+}
+
+// Middle nodes of contact sides lie on the sphere; sides carry the sphere's area.
+TEST(QuadraticBodyTest, ContactSidesFollowTheSphere) {
+  const auto body = quadratic_body(generate_sphere_mesh({.radius = 1.0, .cells = 60}),
+                                   {.radius = 1.0, .mass = 1.0});
+  double area = 0.0;
+  for (const ContactSide& side : body.contact_sides) {
+    for (const int node : side.nodes)
+      EXPECT_NEAR(std::hypot(body.position[node][0], body.position[node][1] - 1.0), 1.0, 1e-14);
+    for (const auto& point : side.points) {
+      double height = 0.0;
+      for (int i = 0; i < 3; ++i) height += point.shape[i] * body.position[side.nodes[i]][1];
+      EXPECT_NEAR(height, point.height, 1e-14);
+      area += point.area;
+    }
   }
-  EXPECT_NEAR(sum, 1.0, 1e-15);
+  double top = 0.0;  // the contact group is a cap of area 2π R h
+  for (const ContactPlace& place : body.contact) top = std::max(top, body.position[place.node][1]);
+  EXPECT_NEAR(area / (2.0 * std::numbers::pi * top), 1.0, 1e-5);
 }
 
 TEST(QuadraticBodyTest, VolumeOfTheSphere) {
   const double sphere = 4.0 / 3.0 * std::numbers::pi;
   Mesh mesh = generate_sphere_mesh({.radius = 1.0, .cells = 60});
   const auto miss = [&](double curved) {
-    return std::abs(volume_of(quadratic_body(mesh, {.radius = curved, .mass = 1.0})) / sphere - 1.0);
+    return std::abs(volume_of(quadratic_body(mesh, {.radius = curved, .mass = 1.0})) / sphere -
+                    1.0);
   };
   const double coarse = miss(1.0), straight = miss(0.0);
   mesh = refined_mesh(mesh, 1.0);

@@ -1,4 +1,5 @@
 #include "fem/kernel/cell_kernel.hpp"
+#include "fem/interface/elastic_models.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,9 @@ std::vector<const CellKernel*> kernels_here() {
   return kernels;
 }
 
-const CellKernel& baseline() { return *find_cell_kernel("baseline"); }
+const CellKernel& baseline() {
+  return *find_cell_kernel("baseline");
+}
 
 /// Random motion that keeps the axis on the axis.
 std::vector<double> random_motion(const Discretisation& body, Random& random, double size) {
@@ -61,7 +64,8 @@ TEST(CellKernelTest, AllInstructionSetsAgree) {
           ASSERT_NEAR(found[i], expected[i], 1e-13 * largest(expected)) << kernel->name;
         EXPECT_NEAR(other.energy(u) / reference.energy(u), 1.0, 1e-13);
         EXPECT_NEAR(other.summary().largest_frequency_squared /
-                        reference.summary().largest_frequency_squared, 1.0, 1e-13);
+                        reference.summary().largest_frequency_squared,
+                    1.0, 1e-13);
         // Padding lanes of wider kernels add Jacobians of 1.
         EXPECT_NEAR(std::min(other.summary().smallest_jacobian, 1.0),
                     std::min(reference.summary().smallest_jacobian, 1.0), 1e-13);
@@ -115,7 +119,7 @@ TEST(CellKernelTest, AxialForcesSumToZero) {
   }
 }
 
-// Rung a: homogeneous states, mu = 1, lambda = 4, stresses to 16 digits from
+// Case a: homogeneous states, mu = 1, lambda = 4, stresses to 16 digits from
 // the closed form. Force, hoop term and energy must be exact on any mesh.
 struct PatchState {
   double a, b, radial, axial, energy;
@@ -150,7 +154,8 @@ TEST(CellKernelTest, PatchOfUniformDeformation) {
     EXPECT_NEAR(on_side / (2.0 * std::numbers::pi * radius * length) / state.radial, 1.0, 1e-13);
     EXPECT_NEAR(on_top / area / state.axial, 1.0, 1e-12);
     EXPECT_NEAR(cells.energy(u) / (area * length) / state.energy, 1.0, 1e-13);
-    EXPECT_NEAR(cells.summary().smallest_jacobian, std::min(1.0, state.a * state.a * state.b), 1e-14);
+    EXPECT_NEAR(cells.summary().smallest_jacobian, std::min(1.0, state.a * state.a * state.b),
+                1e-14);
   }
 }
 

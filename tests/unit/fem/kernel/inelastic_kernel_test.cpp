@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fem/discretisation/layer_factors.hpp"
+#include "fem/interface/elastic_models.hpp"
 #include "tests/support/fem_cases.hpp"
 
 namespace rebound::fem {
@@ -79,8 +80,9 @@ TEST_P(InelasticKernel, AllInstructionSetsAgree) {
       for (std::size_t i = 0; i < expected.size(); ++i)
         ASSERT_NEAR(found[i], expected[i], 1e-11 * largest(expected)) << name;
       EXPECT_NEAR(other.energy(u) / reference.energy(u), 1.0, 1e-11);
-      EXPECT_NEAR(other.summary().largest_frequency_squared /
-                      reference.summary().largest_frequency_squared, 1.0, 1e-11);
+      EXPECT_NEAR(
+          other.summary().largest_frequency_squared / reference.summary().largest_frequency_squared,
+          1.0, 1e-11);
     }
   }
 }
@@ -100,9 +102,11 @@ TEST_P(InelasticKernel, RestIsFreeOfForceAndAsStiffAsTheLaw) {
   KernelCase law(body, elastic, *find_cell_kernel("baseline"), 0.02);
   law.force(rest);
   const double undamped = law.summary().largest_frequency_squared;
-  const double damped = 0.5 * time * undamped + std::sqrt(0.25 * time * time * undamped * undamped + undamped);
+  const double damped =
+      0.5 * time * undamped + std::sqrt(0.25 * time * time * undamped * undamped + undamped);
   // A multiplicative branch of the deviator is bounded on top of the whole law.
-  const bool deviator = !elastic.branches.empty() && elastic.branches[0].relaxes == Relaxes::deviator;
+  const bool deviator =
+      !elastic.branches.empty() && elastic.branches[0].relaxes == Relaxes::deviator;
   EXPECT_GE(frequency / (damped * damped), 1.0 - 1e-12);
   EXPECT_LE(frequency / (damped * damped), deviator ? 1.2 : 1.0 + 1e-12);
 }
@@ -128,7 +132,8 @@ double work_of_cycle(const Material& material, const Cycle& cycle) {
   const auto at = [&](double phase) {
     double g[4] = {};
     for (int j = 0; j < 4; ++j)
-      for (int k = 0; k < 3; ++k) g[j] += amplitude[j][k] * std::sin(std::numbers::pi * (k + 1.0) * phase);
+      for (int k = 0; k < 3; ++k)
+        g[j] += amplitude[j][k] * std::sin(std::numbers::pi * (k + 1.0) * phase);
     std::vector<double> u(2 * (body.position.size() + 1), 0.0);
     for (int node = 0; node < body.node_count(); ++node) {
       const auto& [r, z] = body.position[node];
@@ -140,7 +145,8 @@ double work_of_cycle(const Material& material, const Cycle& cycle) {
   const double step = duration / steps;
   KernelCase cell(body, material, *find_cell_kernel("baseline"), step);
   auto before = at(0.0);
-  std::vector<double> velocity(before.size(), 0.0), force_before = cell.force(before, velocity.data());
+  std::vector<double> velocity(before.size(), 0.0),
+      force_before = cell.force(before, velocity.data());
   double work = 0.0, absolute = 0.0;
   for (int n = 1; n <= steps; ++n) {
     const auto u = at(static_cast<double>(n) / steps);
@@ -224,7 +230,8 @@ TEST(RadialLayerTest, OuterPointsAreStiffer) {
   for (std::size_t i = 0; i < u.size(); ++i)
     EXPECT_NEAR(stiff_force[i], 3.0 * soft_force[i], 1e-13 * largest(stiff_force));
   EXPECT_NEAR(stiff.energy(u), 3.0 * plain.energy(u), 1e-13);
-  EXPECT_NEAR(stiff.summary().largest_frequency_squared, 3.0 * plain.summary().largest_frequency_squared,
+  EXPECT_NEAR(stiff.summary().largest_frequency_squared,
+              3.0 * plain.summary().largest_frequency_squared,
               1e-11 * stiff.summary().largest_frequency_squared);
   // Only what lies outside: points beyond 0.7 of half the height from the centre.
   layered.layers = {{.from = 0.7, .modulus_factor = 3.0}};

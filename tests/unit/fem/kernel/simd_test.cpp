@@ -37,7 +37,8 @@ TEST(SimdMath, LogAgainstLibrary) {
 
 TEST(SimdMath, LogAroundTheChangeOfExponent) {
   for (int k = -1022; k <= 1023; ++k)
-    for (const double mantissa : {1.0, 0x1.6a09e667f3bccp0, 0x1.6a09e667f3bcdp0, 0x1.fffffffffffffp0}) {
+    for (const double mantissa :
+         {1.0, 0x1.6a09e667f3bccp0, 0x1.6a09e667f3bcdp0, 0x1.fffffffffffffp0}) {
       const double x = std::ldexp(mantissa, k);
       const long double exact = std::log(static_cast<long double>(x));
       const double got = log(Real{x, x})[1];

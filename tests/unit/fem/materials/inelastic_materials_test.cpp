@@ -33,8 +33,12 @@ constexpr State rest{1, 0, 0, 1, 1};
 
 BranchFlow flow_of(double step_over_time, double rate_exponent = 1.0, double reference = 0.1) {
   const double x = 0.5 * step_over_time;
-  return {.before = x, .next = x, .decay_before = std::exp(-x), .decay_next = std::exp(-x),
-          .power = 1.0 / rate_exponent - 1.0, .reference_strain = reference};
+  return {.before = x,
+          .next = x,
+          .decay_before = std::exp(-x),
+          .decay_next = std::exp(-x),
+          .power = 1.0 / rate_exponent - 1.0,
+          .reference_strain = reference};
 }
 
 /// A multiplicative branch along a path of deformation gradients.
@@ -61,7 +65,8 @@ class Path {
   State at(double phase) const {
     State f = rest;
     for (int k = 0; k < 3; ++k)
-      f = moved(f, size_ / (k + 1.0) * std::sin(std::numbers::pi * (k + 1.0) * phase), harmonics_[k]);
+      f = moved(f, size_ / (k + 1.0) * std::sin(std::numbers::pi * (k + 1.0) * phase),
+                harmonics_[k]);
     return f;
   }
   bool is_sound() const {
@@ -96,7 +101,9 @@ TEST(MultiplicativeBranch, StressIsDerivativeOfEnergy) {
     const State h = random_direction(random);
     Stress viscous{1.3, 0.8, 1.1, 0.2};
     const Moduli m = i % 2 == 0 ? moduli : Moduli{moduli.shear, 0.0};
-    const auto at = [&](const State& g) { return advance_multiplicative(g, viscous, m, BranchFlow{}); };
+    const auto at = [&](const State& g) {
+      return advance_multiplicative(g, viscous, m, BranchFlow{});
+    };
     const auto point = at(f);
     const State piola = first_piola(f, point.stress);
     const auto remainder = [&](double step) {
@@ -157,8 +164,10 @@ TEST(MultiplicativeBranch, SmallStrainIsTheConvolution) {
     const double q = size * (1.0 - std::exp(-1.0));
     const double trace = h.rr + h.zz + h.tt, third = trace / 3.0;
     const double lame = moduli.bulk * trace;
-    EXPECT_NEAR(point.stress.rr / (q * (2 * moduli.shear * (h.rr - third) + lame)), 1.0, 10 * size + x * x);
-    EXPECT_NEAR(point.stress.tt / (q * (2 * moduli.shear * (h.tt - third) + lame)), 1.0, 10 * size + x * x);
+    EXPECT_NEAR(point.stress.rr / (q * (2 * moduli.shear * (h.rr - third) + lame)), 1.0,
+                10 * size + x * x);
+    EXPECT_NEAR(point.stress.tt / (q * (2 * moduli.shear * (h.tt - third) + lame)), 1.0,
+                10 * size + x * x);
     EXPECT_NEAR(point.stress.rz / (q * moduli.shear * (h.rz + h.zr)), 1.0, 10 * size + x * x);
   }
 }
@@ -174,7 +183,8 @@ TEST(MultiplicativeBranch, SecondOrderInTheStep) {
       return value;
     };
     const double fine = end(6400);
-    EXPECT_NEAR(std::log(std::abs(end(50) - fine) / std::abs(end(200) - fine)) / std::log(4.0), 2.0, 0.25);
+    EXPECT_NEAR(std::log(std::abs(end(50) - fine) / std::abs(end(200) - fine)) / std::log(4.0), 2.0,
+                0.25);
   }
 }
 
@@ -237,16 +247,20 @@ TEST(ViscousStressTest, PowerIsTheNormOfTheRateAndBounded) {
     const double power = product(first_piola(f, viscous_stress(e, f, rate, moduli, 1.0)), rate);
     // l = Ḟ F⁻¹
     const double det = f.rr * f.zz - f.rz * f.zr;
-    const double lrr = (rate.rr * f.zz - rate.rz * f.zr) / det, lrz = (rate.rz * f.rr - rate.rr * f.rz) / det;
-    const double lzr = (rate.zr * f.zz - rate.zz * f.zr) / det, lzz = (rate.zz * f.rr - rate.zr * f.rz) / det;
+    const double lrr = (rate.rr * f.zz - rate.rz * f.zr) / det,
+                 lrz = (rate.rz * f.rr - rate.rr * f.rz) / det;
+    const double lzr = (rate.zr * f.zz - rate.zz * f.zr) / det,
+                 lzz = (rate.zz * f.rr - rate.zr * f.rz) / det;
     const double ltt = rate.tt / f.tt, trace = lrr + lzz + ltt, off = 0.5 * (lrz + lzr);
     const double expected = 2 * moduli.shear * (lrr * lrr + lzz * lzz + ltt * ltt + 2 * off * off) +
                             (moduli.bulk - 2.0 / 3.0 * moduli.shear) * trace * trace;
     EXPECT_NEAR(power / expected, 1.0, 1e-11);
     EXPECT_GT(power, 0.0);
-    const double m = std::max(e.inverse.tt, 0.5 * (e.inverse.rr + e.inverse.zz) +
-                              std::hypot(0.5 * (e.inverse.rr - e.inverse.zz), e.inverse.rz));
-    EXPECT_LT(power, damping_growth(e, m, moduli) * 3.0 * moduli.bulk * product(rate, rate) * (1 + 1e-12));
+    const double m =
+        std::max(e.inverse.tt, 0.5 * (e.inverse.rr + e.inverse.zz) +
+                                   std::hypot(0.5 * (e.inverse.rr - e.inverse.zz), e.inverse.rz));
+    EXPECT_LT(power,
+              damping_growth(e, m, moduli) * 3.0 * moduli.bulk * product(rate, rate) * (1 + 1e-12));
   }
 }
 
@@ -266,15 +280,17 @@ TEST(StrainFactorTest, FactorIsDerivativeOfEnergy) {
           return factored_energy(k, at);
         };
         const double h = 1e-5 * w;
-        EXPECT_NEAR((energy(w + h) - energy(w - h)) / (2 * h) / factor_at(k, w, largest).value, 1.0, 1e-6)
+        EXPECT_NEAR((energy(w + h) - energy(w - h)) / (2 * h) / factor_at(k, w, largest).value, 1.0,
+                    1e-6)
             << strain;
       }
 }
 
 TEST(StrainFactorTest, NothingAtRestAndOnFirstLoading) {
   EXPECT_NEAR(factor_at(factor(3, 0.5, 40, 0.5), 0.0, 0.0).value, 1.0, 1e-15);
-  EXPECT_NEAR(factored_energy(factor(3, 0.5, 40, 0.5), factor_at(factor(3, 0.5, 40, 0.5), 0.0, 0.0)),
-              0.0, 1e-18);
+  EXPECT_NEAR(
+      factored_energy(factor(3, 0.5, 40, 0.5), factor_at(factor(3, 0.5, 40, 0.5), 0.0, 0.0)), 0.0,
+      1e-18);
   EXPECT_DOUBLE_EQ(factor_at(factor(0, 0, 0, 0.5), 0.3, 0.1).value, 1.0);  // ε above 0.1
   // The formula of the effects, unloading to half the largest strain.
   const double w = 0.5 * 2.8 * 0.2 * 0.2;

@@ -1,5 +1,5 @@
-// One battery over every elastic model. A new model needs its line in Models;
-// what holds for one solid only has no place here.
+// One battery over every elastic model of the list, and the one to copy. What holds for one
+// solid only has no place here.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -67,7 +67,8 @@ double fastest_wave(const Model& model, const Deformation& f) {
   tangent /= 2.0 * step;
   double largest = 0.0;
   for (int degree = 0; degree < 180; degree += 2) {
-    const double n[2] = {std::cos(degree * std::numbers::pi / 180), std::sin(degree * std::numbers::pi / 180)};
+    const double n[2] = {std::cos(degree * std::numbers::pi / 180),
+                         std::sin(degree * std::numbers::pi / 180)};
     Eigen::Matrix2d acoustic = Eigen::Matrix2d::Zero();
     for (int i = 0; i < 2; ++i)
       for (int k = 0; k < 2; ++k)
@@ -80,24 +81,36 @@ double fastest_wave(const Model& model, const Deformation& f) {
   return largest;
 }
 
-/// Laws with a shape, made from moduli alone.
-struct MooneyRivlinThird : MooneyRivlin {
-  explicit MooneyRivlinThird(const Moduli& m) : MooneyRivlin{m, 1.0 / 3.0} {}
-};
-struct OgdenThree : Ogden {
-  explicit OgdenThree(const Moduli& m)
-      : Ogden{m, {.count = 3,
+double even_beta(const Moduli& m) {
+  return m.bulk / (2.0 * m.shear) - 1.0 / 3.0;
+}
+
+/// What a shape takes beside moduli, for a law that takes it.
+template <class Model, ElasticShape shape>
+Model shaped(const Moduli& m) {
+  if constexpr (shape == ElasticShape::moduli)
+    return Model{m};
+  else if constexpr (shape == ElasticShape::second_share)
+    return Model{m, 1.0 / 3.0};
+  else if constexpr (shape == ElasticShape::terms)
+    return Model{m,
+                 {.count = 3,
                   .shear = {0.7 * m.shear, 0.1 * m.shear, 0.2 * m.shear},
-                  .exponent = {1.3, 5.0, -2.0}}} {}
+                  .exponent = {1.3, 5.0, -2.0}}};
+  else
+    return Model{m,
+                 {.count = 2,
+                  .shear = {0.6 * m.shear, 0.4 * m.shear},
+                  .exponent = {6.0, -2.5},
+                  .beta = {even_beta(m) + 0.2, even_beta(m) - 0.3}}};
+}
+
+/// A law made from moduli alone.
+template <class Model, ElasticShape shape>
+struct Shaped : Model {
+  explicit Shaped(const Moduli& m) : Model(shaped<Model, shape>(m)) {}
 };
-double even_beta(const Moduli& m) { return m.bulk / (2.0 * m.shear) - 1.0 / 3.0; }
-struct HyperfoamTwo : Hyperfoam {
-  explicit HyperfoamTwo(const Moduli& m)
-      : Hyperfoam{m, {.count = 2,
-                      .shear = {0.6 * m.shear, 0.4 * m.shear},
-                      .exponent = {6.0, -2.5},
-                      .beta = {even_beta(m) + 0.2, even_beta(m) - 0.3}}} {}
-};
+
 /// At Poisson ratio 0 with the limit β = 0.
 struct HyperfoamOne : Hyperfoam {
   explicit HyperfoamOne(const Moduli& m)
@@ -115,8 +128,15 @@ class MaterialBattery : public ::testing::Test {
   }
 };
 
-using Models = ::testing::Types<NeoHookean, NeoHookeanIsochoric, MooneyRivlinThird, OgdenThree,
-                                HyperfoamTwo, HyperfoamOne>;
+template <class, class... Listed>
+using TypesOf = ::testing::Types<Listed..., HyperfoamOne, BlankMaterial>;
+
+#define REBOUND_ELASTIC_MODEL(Type, enumerator, name, shape, energy) \
+  , Shaped<Type, ElasticShape::shape>
+using Models = TypesOf<void
+#include "fem/interface/elastic_models.inc"
+                       >;
+#undef REBOUND_ELASTIC_MODEL
 TYPED_TEST_SUITE(MaterialBattery, Models);
 
 TYPED_TEST(MaterialBattery, ZeroStressAndEnergyAtRest) {
@@ -126,7 +146,8 @@ TYPED_TEST(MaterialBattery, ZeroStressAndEnergyAtRest) {
   const Deformation v = first_piola(rest, model.volumetric_stress(strain));
   EXPECT_LT(product(d, d), 1e-30);
   EXPECT_LT(product(v, v), 1e-30);
-  EXPECT_LT(std::abs(model.deviatoric_energy(strain)) + std::abs(model.volumetric_energy(strain)), 1e-15);
+  EXPECT_LT(std::abs(model.deviatoric_energy(strain)) + std::abs(model.volumetric_energy(strain)),
+            1e-15);
 }
 
 TYPED_TEST(MaterialBattery, StressIsDerivativeOfEnergy) {

@@ -24,10 +24,12 @@ State random_state(test::Random& random) {
 
 /// Largest difference of the components.
 double off(const Symmetric<double>& a, const Symmetric<double>& b) {
-  return std::max({std::abs(a.rr - b.rr), std::abs(a.zz - b.zz), std::abs(a.tt - b.tt),
-                   std::abs(a.rz - b.rz)});
+  return std::max(
+      {std::abs(a.rr - b.rr), std::abs(a.zz - b.zz), std::abs(a.tt - b.tt), std::abs(a.rz - b.rz)});
 }
-double size(const Symmetric<double>& a) { return off(a, {0, 0, 0, 0}); }
+double size(const Symmetric<double>& a) {
+  return off(a, {0, 0, 0, 0});
+}
 
 TEST(MaterialLimits, OgdenOfExponentTwoIsNeoHookean) {
   const Ogden ogden{moduli, {.count = 1, .shear = {moduli.shear}, .exponent = {2.0}}};
@@ -43,8 +45,9 @@ TEST(MaterialLimits, OgdenOfExponentTwoIsNeoHookean) {
 
 TEST(MaterialLimits, MooneyRivlinIsOgden) {
   const MooneyRivlin mooney{moduli, 0.3};
-  const Ogden ogden{moduli, {.count = 2, .shear = {0.7 * moduli.shear, 0.3 * moduli.shear},
-                             .exponent = {2.0, -2.0}}};
+  const Ogden ogden{
+      moduli,
+      {.count = 2, .shear = {0.7 * moduli.shear, 0.3 * moduli.shear}, .exponent = {2.0, -2.0}}};
   test::Random random(52);
   for (int i = 0; i < 100; ++i) {
     const auto e = strain_of(random_state(random));
@@ -60,8 +63,11 @@ TEST(MaterialLimits, HyperfoamKeepsItsPoissonRatio) {
   for (const double nu : {0.0, 0.1, 0.3}) {
     const Moduli m = Moduli::from_youngs(2.8, nu);
     const double beta = nu / (1.0 - 2.0 * nu);
-    const Hyperfoam foam{m, {.count = 2, .shear = {0.4 * m.shear, 0.6 * m.shear},
-                             .exponent = {8.0, -3.0}, .beta = {beta, beta}}};
+    const Hyperfoam foam{m,
+                         {.count = 2,
+                          .shear = {0.4 * m.shear, 0.6 * m.shear},
+                          .exponent = {8.0, -3.0},
+                          .beta = {beta, beta}}};
     for (const double stretch : {0.3, 0.6, 0.95, 1.4}) {
       const double lateral = std::pow(stretch, -nu);
       const auto e = strain_of(State{lateral, 0, 0, stretch, lateral});
@@ -78,7 +84,9 @@ TEST(MaterialLimits, HyperfoamKeepsItsPoissonRatio) {
   }
 }
 
-Material of(ElasticModel elastic) { return test::unit_material(elastic); }
+Material of(ElasticModel elastic) {
+  return test::unit_material(elastic);
+}
 
 /// Stress next to equal stretches, where the directions turn wildly and the
 /// formulas change over from quotients to series.
@@ -131,9 +139,9 @@ TEST(MaterialLimits, TangentByAutomaticDifferentiation) {
           }
           const auto a = stress(State{ahead[0], ahead[1], ahead[2], ahead[3], ahead[4]});
           const auto b = stress(State{behind[0], behind[1], behind[2], behind[3], behind[4]});
-          const double scale = 1e-7 * (1.0 + std::abs(found.rr.derivatives()[j]) +
-                                       std::abs(found.zz.derivatives()[j]) +
-                                       std::abs(found.tt.derivatives()[j]));
+          const double scale =
+              1e-7 * (1.0 + std::abs(found.rr.derivatives()[j]) +
+                      std::abs(found.zz.derivatives()[j]) + std::abs(found.tt.derivatives()[j]));
           EXPECT_NEAR(found.rr.derivatives()[j], (a.rr - b.rr) / 2e-6, scale) << i << " " << j;
           EXPECT_NEAR(found.rz.derivatives()[j], (a.rz - b.rz) / 2e-6, scale) << i << " " << j;
           EXPECT_NEAR(found.zr.derivatives()[j], (a.zr - b.zr) / 2e-6, scale) << i << " " << j;

@@ -1,4 +1,5 @@
 #include "fem/materials/uniaxial.hpp"
+#include "fem/interface/elastic_models.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,9 @@ namespace rebound::fem {
 namespace {
 
 TEST(UniaxialTest, HyperfoamOfOneBeta) {
-  Material foam{.elastic = ElasticModel::hyperfoam, .youngs_modulus = 3e6, .poisson_ratio = 0.25,
+  Material foam{.elastic = ElasticModel::hyperfoam,
+                .youngs_modulus = 3e6,
+                .poisson_ratio = 0.25,
                 .terms = {{.weight = 1.0, .exponent = 6.0}}};
   for (const auto& state : uniaxial_states(foam, {0.3, 0.7, 1.0, 1.5})) {
     const double mu = 3e6 / 2.5, lateral = std::pow(state.stretch, -0.25);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/interface/elastic_models.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace rebound::fem {
@@ -15,14 +16,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// E = 10 MPa, ν = 0.4: μ = 3.5714 MPa, K = 16.667 MPa.
 Material solid(ModulusBasis basis, std::vector<PronyBranch> branches) {
-  return {.youngs_modulus = 10e6, .poisson_ratio = 0.4, .modulus = basis, .branches = std::move(branches)};
+  return {.youngs_modulus = 10e6,
+          .poisson_ratio = 0.4,
+          .modulus = basis,
+          .branches = std::move(branches)};
 }
 
 TEST(ViscoelasticConstantsTest, BasesAgree) {
   // Instantaneous 20 MPa with shares 0.3 and 0.2 is long-term 10 MPa with
   // branches of 0.6 and 0.4 of it.
-  Material instantaneous = solid(ModulusBasis::instantaneous,
-                                 {{0.3, 1e-4, Relaxes::all}, {0.2, 1e-3, Relaxes::all}});
+  Material instantaneous =
+      solid(ModulusBasis::instantaneous, {{0.3, 1e-4, Relaxes::all}, {0.2, 1e-3, Relaxes::all}});
   instantaneous.youngs_modulus = 20e6;
   const auto a = viscoelastic_constants(instantaneous);
   const auto b = viscoelastic_constants(
@@ -54,8 +58,8 @@ TEST(ViscoelasticConstantsTest, MixedBranchesRelaxTheirParts) {
 }
 
 TEST(ViscoelasticConstantsTest, DeviatorBranchKeepsTheBulkModulus) {
-  const auto c = viscoelastic_constants(
-      solid(ModulusBasis::instantaneous, {{0.4, 1e-3, Relaxes::deviator}}));
+  const auto c =
+      viscoelastic_constants(solid(ModulusBasis::instantaneous, {{0.4, 1e-3, Relaxes::deviator}}));
   EXPECT_EQ(c.long_term_volumetric, 1.0);
   EXPECT_DOUBLE_EQ(c.long_term_deviatoric, 0.6);
 }
@@ -73,11 +77,11 @@ TEST(ViscoelasticConstantsTest, RefusesWhatIsOutOfRange) {
     EXPECT_EQ(key_refused(bad), "model.material.youngs_modulus") << value;
     bad = fine;
     bad.branches[0].relaxation_time = value;
-    EXPECT_EQ(key_refused(bad), "model.material.branch.relaxation_time") << value;
+    EXPECT_EQ(key_refused(bad), "model.material.branch[0].relaxation_time") << value;
     bad = fine;
     bad.modulus = ModulusBasis::long_term;
     bad.branches[0].ratio = value;
-    EXPECT_EQ(key_refused(bad), "model.material.branch.ratio") << value;
+    EXPECT_EQ(key_refused(bad), "model.material.branch[0].ratio") << value;
   }
   for (const double value : {-1.0, 0.4501, 0.5, nan, infinity}) {
     Material bad = fine;
@@ -86,19 +90,21 @@ TEST(ViscoelasticConstantsTest, RefusesWhatIsOutOfRange) {
   }
   Material whole = fine;
   whole.branches = {{0.5, 1e-3, Relaxes::all}, {0.5, 1e-2, Relaxes::deviator}};
-  EXPECT_EQ(key_refused(whole), "model.material.branch.ratio");
+  EXPECT_EQ(key_refused(whole), "model.material.branch[1].ratio");
   whole.modulus = ModulusBasis::long_term;  // there any positive sum is fine
   EXPECT_NO_THROW(viscoelastic_constants(whole));
 }
 
 Material foam(std::vector<StretchTerm> terms) {
-  return {.elastic = ElasticModel::hyperfoam, .youngs_modulus = 2.8, .poisson_ratio = 0.4,
+  return {.elastic = ElasticModel::hyperfoam,
+          .youngs_modulus = 2.8,
+          .poisson_ratio = 0.4,
           .terms = std::move(terms)};
 }
 
 TEST(ViscoelasticConstantsTest, TermsAddUpToTheModuli) {
-  for (const Material& material : {foam({{3.0, 4.0, {}}, {1.0, -2.0, {}}}),
-                                   foam({{3.0, 4.0, 2.5}, {1.0, -2.0, 0.51}})}) {
+  for (const Material& material :
+       {foam({{3.0, 4.0, {}}, {1.0, -2.0, {}}}), foam({{3.0, 4.0, 2.5}, {1.0, -2.0, 0.51}})}) {
     const ElasticConstants elastic = viscoelastic_constants(material).elastic;
     double shear = 0.0, bulk = 0.0;
     for (int i = 0; i < elastic.terms.count; ++i) {
@@ -120,11 +126,11 @@ TEST(ViscoelasticConstantsTest, RefusesTermsThatAreOutOfRange) {
   EXPECT_EQ(key_refused(foam({})), "model.material.term");
   EXPECT_EQ(key_refused(foam(std::vector<StretchTerm>(7))), "model.material.term");
   for (const double value : {0.0, -1.0, nan, infinity})
-    EXPECT_EQ(key_refused(foam({{value, 2.0, {}}})), "model.material.term.weight") << value;
+    EXPECT_EQ(key_refused(foam({{value, 2.0, {}}})), "model.material.term[0].weight") << value;
   for (const double value : {0.0, 51.0, nan, infinity})
-    EXPECT_EQ(key_refused(foam({{1.0, value, {}}})), "model.material.term.exponent") << value;
+    EXPECT_EQ(key_refused(foam({{1.0, value, {}}})), "model.material.term[0].exponent") << value;
   for (const double value : {-0.34, nan, infinity})
-    EXPECT_EQ(key_refused(foam({{1.0, 2.0, value}})), "model.material.term.beta") << value;
+    EXPECT_EQ(key_refused(foam({{1.0, 2.0, value}})), "model.material.term[0].beta") << value;
   // β = 1 everywhere is a Poisson ratio of 1/3, not 0.4.
   EXPECT_EQ(key_refused(foam({{1.0, 2.0, 1.0}})), "model.material.poisson_ratio");
   Material mooney = foam({});

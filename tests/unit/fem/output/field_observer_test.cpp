@@ -13,11 +13,11 @@ namespace {
 
 using test::Random;
 
-/// A body that is moved by hand, one step at a time, and watched.
-class WatchedCase {
+/// A body that is moved by hand, one step at a time, and observed.
+class ObservedCase {
  public:
-  WatchedCase(const Discretisation& body, const Material& material, const CellKernel& kernel,
-              double step)
+  ObservedCase(const Discretisation& body, const Material& material, const CellKernel& kernel,
+               double step)
       : body_(body),
         constants_(viscoelastic_constants(material)),
         kernel_(kernel),
@@ -70,7 +70,7 @@ double integral(const std::vector<CellState>& cells, const Density& density) {
 TEST(FieldObserverTest, UniaxialStretchHasTheClosedFormStress) {
   // σ = [μ (b − 1) + λ ln J]/J of a compressible neo-Hookean body, μ = 1 Pa, λ = 4 Pa.
   const auto body = discretise(test::distorted_cylinder(), 1.0);
-  WatchedCase body_case(body, test::unit_material(), choose_cell_kernel(), 1.0);
+  ObservedCase body_case(body, test::unit_material(), choose_cell_kernel(), 1.0);
   constexpr double a = 1.1, b = 0.7, jacobian = a * a * b;
   const auto sigma = [&](double stretch) {
     return (stretch * stretch - 1.0 + 4.0 * std::log(jacobian)) / jacobian;
@@ -96,7 +96,7 @@ TEST(FieldObserverTest, ShearHasTheClosedFormStress) {
   mesh.cells = {{0, 1, 2, 3}};
   mesh.contact_edges = {{0, 1}};
   const auto body = discretise(mesh, 1.0);
-  WatchedCase body_case(body, test::unit_material(), choose_cell_kernel(), 1.0);
+  ObservedCase body_case(body, test::unit_material(), choose_cell_kernel(), 1.0);
   std::vector<double> u(2 * (body.position.size() + 1), 0.0);
   constexpr double slip = 0.3, lift = 0.2;
   for (int node = 0; node < 4; ++node)
@@ -106,7 +106,8 @@ TEST(FieldObserverTest, ShearHasTheClosedFormStress) {
   EXPECT_NEAR(cell.cauchy.rz, slip / jacobian, 1e-13);
   EXPECT_NEAR(cell.cauchy.rr, 4.0 * std::log(jacobian) / jacobian, 1e-13);
   EXPECT_NEAR(cell.cauchy.zz,
-              (slip * slip + jacobian * jacobian - 1.0 + 4.0 * std::log(jacobian)) / jacobian, 1e-13);
+              (slip * slip + jacobian * jacobian - 1.0 + 4.0 * std::log(jacobian)) / jacobian,
+              1e-13);
 }
 
 struct Named {
@@ -141,7 +142,7 @@ TEST_P(ObservedMaterial, DensitiesIntegrateToWhatTheNodesFeel) {
   for (const char* name : {"baseline", "avx2", "avx512"}) {
     const CellKernel* kernel = find_cell_kernel(name);
     if (!kernel) continue;
-    WatchedCase watched(body, GetParam().material, *kernel, 0.02);
+    ObservedCase observed(body, GetParam().material, *kernel, 0.02);
     Random random(5);
     std::vector<double> from = test::stretched(body, 1.0, 1.0), to = from;
     double largest = 0.0;
@@ -155,13 +156,13 @@ TEST_P(ObservedMaterial, DensitiesIntegrateToWhatTheNodesFeel) {
       std::vector<double> u(from.size());
       for (std::size_t i = 0; i < u.size(); ++i)
         u[i] = from[i] + (to[i] - from[i]) * 0.1 * (step % 10 + 1);
-      const auto cells = watched.move(u);
-      largest = std::max(largest, std::abs(watched.work));
-      EXPECT_NEAR(integral(cells, [](const CellState& c) { return c.stored; }), watched.stored,
+      const auto cells = observed.move(u);
+      largest = std::max(largest, std::abs(observed.work));
+      EXPECT_NEAR(integral(cells, [](const CellState& c) { return c.stored; }), observed.stored,
                   1e-12 * largest)
           << name << " " << step;
       EXPECT_NEAR(integral(cells, [](const CellState& c) { return c.stored + c.held + c.lost; }),
-                  watched.work, 1e-12 * largest)
+                  observed.work, 1e-12 * largest)
           << name << " " << step;
     }
   }

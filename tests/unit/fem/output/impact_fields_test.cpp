@@ -1,6 +1,7 @@
-// What an impact writes for ParaView, read back: against the energy book, the
+// What an impact writes for ParaView, read back: against the energy balance, the
 // trace and Hertz.
 #include "fem/output/impact_fields.hpp"
+#include "fem/interface/elastic_models.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fem/schemes/explicit_impact.hpp"
+#include "fem/explicit/explicit_impact.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
@@ -67,7 +68,8 @@ double contact_force(const Discretisation& body, const test::Vtu& frame) {
   const auto& u = frame.values("displacement_m");
   const auto& p = frame.values("contact_pressure_Pa");
   const auto place = [&](int node) {
-    return std::array{body.position[node][0] + u[3 * node], body.position[node][1] + u[3 * node + 1]};
+    return std::array{body.position[node][0] + u[3 * node],
+                      body.position[node][1] + u[3 * node + 1]};
   };
   double force = 0.0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -75,8 +77,8 @@ double contact_force(const Discretisation& body, const test::Vtu& frame) {
     const auto a = place(first), b = place(second);
     const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
     const double middle = 0.25 * (p[first] + p[second]) * (a[0] + b[0]);
-    force += 2.0 * std::numbers::pi * length / 6.0 *
-             (p[first] * a[0] + 4.0 * middle + p[second] * b[0]);
+    force +=
+        2.0 * std::numbers::pi * length / 6.0 * (p[first] * a[0] + 4.0 * middle + p[second] * b[0]);
   }
   return force;
 }
@@ -108,7 +110,7 @@ std::vector<Named> materials() {
 
 class FieldsOfMaterials : public ::testing::TestWithParam<Named> {};
 
-TEST_P(FieldsOfMaterials, DensitiesSumUpToTheEnergyBook) {
+TEST_P(FieldsOfMaterials, DensitiesSumUpToTheEnergyBalance) {
   FemProblem problem = common_case(15);
   problem.material = GetParam().material;
   problem.controls.output_interval = 0.5e-6;  // shorter than a step: a sample in each
@@ -118,11 +120,11 @@ TEST_P(FieldsOfMaterials, DensitiesSumUpToTheEnergyBook) {
   for (const test::Vtu& frame : shown.frames) {
     const auto sample = static_cast<std::size_t>(std::ceil(frame.time / 0.5e-6 - 1e-9));
     if (sample >= shown.result.energies.size()) continue;
-    const EnergyBook& book = shown.result.energies[sample];
+    const EnergyBalance& balance = shown.result.energies[sample];
     // Sums of single precision.
-    EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), book.stored, 1e-7 * brought);
+    EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), balance.stored, 1e-7 * brought);
     EXPECT_NEAR(integral(frame, GetParam().lost) + integral(frame, "energy_held_in_branches_J_m3"),
-                book.branches, 1e-6 * brought);
+                balance.branches, 1e-6 * brought);
   }
 }
 
@@ -172,7 +174,7 @@ TEST(FieldsOfAnImpact, PressureIntegratesToTheForceOfTheTrace) {
       ++compared;
     }
     EXPECT_GT(compared, 25);
-    EXPECT_EQ(least_force < -1.0, problem.adhesion.work > 0.0);
+    EXPECT_EQ(least_force<-1.0, problem.adhesion.work> 0.0);
   }
 }
 
@@ -219,9 +221,9 @@ TEST(FieldsOfAnImpact, EveryArrayIsThereAtItsLength) {
     }
     EXPECT_EQ(frame.values("contact_pressure_Pa").size(), frame.points);
     for (const char* name :
-         {"cauchy_stress_rr_Pa", "cauchy_stress_zz_Pa", "cauchy_stress_tt_Pa", "cauchy_stress_rz_Pa",
-          "von_mises_stress_Pa", "pressure_Pa", "stored_energy_J_m3", "energy_held_in_branches_J_m3",
-          "dissipated_or_held_energy_J_m3", "volume_at_rest_m3"}) {
+         {"cauchy_stress_rr_Pa", "cauchy_stress_zz_Pa", "cauchy_stress_tt_Pa",
+          "cauchy_stress_rz_Pa", "von_mises_stress_Pa", "pressure_Pa", "stored_energy_J_m3",
+          "energy_held_in_branches_J_m3", "dissipated_or_held_energy_J_m3", "volume_at_rest_m3"}) {
       EXPECT_EQ(frame.arrays.at(name).section, "CellData") << name;
       EXPECT_EQ(frame.values(name).size(), frame.cells) << name;
       for (const double value : frame.values(name)) ASSERT_TRUE(std::isfinite(value)) << name;
@@ -244,13 +246,13 @@ TEST(FieldsOfAnImpact, WatchingChangesNoBit) {
     problem.controls.shape_frames = 10;
     problem.controls.field_frames = 7;
     problem.controls.field_directory = folder.path().string();
-    const FemResult watched = run_explicit_impact(sphere(), problem, {});
-    EXPECT_EQ(alone.trace.force, watched.trace.force) << named.name;
-    EXPECT_EQ(alone.trace.deflection, watched.trace.deflection) << named.name;
-    EXPECT_EQ(alone.closures.energy, watched.closures.energy) << named.name;
-    EXPECT_EQ(alone.restitution_momentum, watched.restitution_momentum) << named.name;
+    const FemResult observed = run_explicit_impact(sphere(), problem, {});
+    EXPECT_EQ(alone.trace.force, observed.trace.force) << named.name;
+    EXPECT_EQ(alone.trace.deflection, observed.trace.deflection) << named.name;
+    EXPECT_EQ(alone.closures.energy, observed.closures.energy) << named.name;
+    EXPECT_EQ(alone.restitution_momentum, observed.restitution_momentum) << named.name;
     EXPECT_TRUE(alone.shapes.time.empty());
-    const ShapeHistory& shapes = watched.shapes;
+    const ShapeHistory& shapes = observed.shapes;
     ASSERT_GE(shapes.time.size(), 6u);
     for (const ShapeField& field : shapes.fields) {
       ASSERT_EQ(field.values.size(), shapes.time.size());
@@ -276,8 +278,7 @@ TEST(FieldsOfAnImpact, AnInterruptedRunListsWhatThereIsAndNothingOlder) {
   const auto list = test::read_pvd(folder.path() / "impact.pvd");
   ASSERT_GE(list.size(), 5u);
   EXPECT_LT(list.size(), 40u);
-  for (const auto& [time, file] : list)
-    EXPECT_EQ(test::read_vtu(folder.path() / file).time, time);
+  for (const auto& [time, file] : list) EXPECT_EQ(test::read_vtu(folder.path() / file).time, time);
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     ++files;
@@ -291,9 +292,9 @@ TEST(FieldsOfAnImpact, ADiskThatFailsEndsTheRun) {
   FemProblem problem = common_case(15);
   problem.controls.field_frames = 40;
   problem.controls.field_directory = (folder.path() / "fields").string();
-  const RunControl pull_the_plug{
-      .interrupted = {},
-      .progress = [&](double) { std::filesystem::remove_all(folder.path() / "fields"); }};
+  const RunControl pull_the_plug{.interrupted = {}, .progress = [&](double) {
+                                   std::filesystem::remove_all(folder.path() / "fields");
+                                 }};
   const Error error =
       testing::refusal_of([&] { run_explicit_impact(sphere(), problem, pull_the_plug); });
   EXPECT_EQ(error.code(), ExitCode::input_output_failed);

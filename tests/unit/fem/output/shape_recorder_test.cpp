@@ -67,8 +67,7 @@ TEST(ShapeRecorder, AddsDisplacementsAndKeepsFields) {
                                                       {ShapeQuantity::speed, 5.0f}};
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(history.fields[i].quantity, expected[i].first);
-    EXPECT_EQ(history.fields[i].values,
-              (std::vector<std::vector<float>>(2, {expected[i].second})));
+    EXPECT_EQ(history.fields[i].values, (std::vector<std::vector<float>>(2, {expected[i].second})));
   }
 }
 
@@ -76,7 +75,10 @@ TEST(ShapeRecorder, AnElasticBodyShowsNoLoss) {
   ShapeRecorder recorder(one_cell(), rest);
   const std::vector<double> none(8, 0.0);
   const std::vector<CellState> cells(1);
-  recorder.record({.displacement = none, .velocity = none, .contact_pressure = none, .cells = cells,
+  recorder.record({.displacement = none,
+                   .velocity = none,
+                   .contact_pressure = none,
+                   .cells = cells,
                    .loss = Loss::none});
   for (const ShapeField& field : recorder.history().fields)
     EXPECT_NE(field.quantity, ShapeQuantity::dissipated);

@@ -9,8 +9,9 @@ namespace rebound::fem {
 namespace {
 
 TEST(VtuTextTest, ReadsBackWhatWasWritten) {
-  const VtuMesh mesh{.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}, {0.0, 2.0}, {2.0, 0.0}, {2.0, 2.0}},
-                     .connectivity = {0, 1, 2, 3, 1, 4, 5, 2}};
+  const VtuMesh mesh{
+      .points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}, {0.0, 2.0}, {2.0, 0.0}, {2.0, 2.0}},
+      .connectivity = {0, 1, 2, 3, 1, 4, 5, 2}};
   const VtuFrame frame{.time = 0.00123456789012345678,
                        .of_points = {{"up_m", 3, std::vector<float>(18, 0.25f)}},
                        .of_cells = {{"heat_J", 1, {1.5f, -2.5e10f}}}};
@@ -40,7 +41,8 @@ TEST(VtuTextTest, PadsBase64) {
       mesh.connectivity.insert(mesh.connectivity.end(), {0, 1, 2, 3});
     testing::TemporaryFolder folder;
     folder.write("a.vtu", vtu_text(mesh, {}));
-    EXPECT_EQ(test::read_vtu(folder.path() / "a.vtu").values("types"), std::vector<double>(cells, 9.0));
+    EXPECT_EQ(test::read_vtu(folder.path() / "a.vtu").values("types"),
+              std::vector<double>(cells, 9.0));
   }
 }
 

@@ -1,12 +1,12 @@
 // Composed contacts against the bare law, and their force over deflection.
-#include "lumped/integration/composed_contact.hpp"
+#include "lumped/integration/composed/composed_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lumped/integration/composed_cvode.hpp"
-#include "lumped/integration/composed_integrator.hpp"
+#include "lumped/integration/composed/composed_cvode.hpp"
+#include "lumped/integration/composed/composed_integrator.hpp"
 #include "lumped/integration/force_deflection.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "tests/support/lumped_cases.hpp"
@@ -49,8 +49,8 @@ TEST(ComposedContactTest, ForcesAtFollowTheTrace) {
     EXPECT_NEAR(forces[i], run.trace.force[i], 1e-6 * run.scalars.peak_force) << i;
   }
   // Continuous whatever is asked: beyond the deepest point and before the open end.
-  const auto odd = forces_at(problem, {{1.0, 0.0, -1.0}, {Branch::loading, Branch::unloading,
-                                                          Branch::loading}});
+  const auto odd =
+      forces_at(problem, {{1.0, 0.0, -1.0}, {Branch::loading, Branch::unloading, Branch::loading}});
   EXPECT_NEAR(odd[0], forces_at(problem, {{run.scalars.peak_deflection}, {Branch::loading}})[0],
               1e-2 * run.scalars.peak_force);
   EXPECT_NEAR(odd[1], run.trace.force.back(), 1e-6 * run.scalars.peak_force);

@@ -41,8 +41,7 @@ TEST(ForceDeflectionTest, GivesBackTheTrace) {
       for (std::size_t i = 0; i < forces.size(); ++i) {
         // Rounding of x counts as its root near the turning point.
         const bool tip = x[i] > 0.9999 * run.scalars.peak_deflection;
-        EXPECT_NEAR(forces[i], run.trace.force[i],
-                    (tip ? 3e-3 : 2e-7) * run.scalars.peak_force)
+        EXPECT_NEAR(forces[i], run.trace.force[i], (tip ? 3e-3 : 2e-7) * run.scalars.peak_force)
             << card.name << " sample " << i;
       }
     }
@@ -69,7 +68,7 @@ TEST(ForceDeflectionTest, SlopesAreThoseOfTheForces) {
             points.branch.push_back(branch);
           }
       const auto by = all_directions(card.name);
-      const VariedForces found = varied_forces_at(problem, points, by);
+      const ForcesWithSensitivities found = forces_with_sensitivities_at(problem, points, by);
       const auto plain = forces_at(problem, points);
       const auto names = names_of_directions(card.name);
       for (std::size_t j = 0; j < by.size(); ++j) {
@@ -104,9 +103,9 @@ TEST(ForceDeflectionTest, IsContinuousBeyondItsEnds) {
   const LumpedResult run = simulate_fast(problem);
   const double peak = run.scalars.peak_deflection, left = run.trace.deflection.back();
   ASSERT_GT(left, 0.0);  // under zero force a damped spring leaves early
-  const auto forces = forces_at(problem, {{1.1 * peak, 1.1 * peak, 0.5 * left, -1e-3},
-                                          {Branch::loading, Branch::unloading, Branch::unloading,
-                                           Branch::loading}});
+  const auto forces = forces_at(
+      problem, {{1.1 * peak, 1.1 * peak, 0.5 * left, -1e-3},
+                {Branch::loading, Branch::unloading, Branch::unloading, Branch::loading}});
   EXPECT_NEAR(forces[0], 2.5e5 * peak, 1e-5 * forces[0]);  // κ x at rest
   EXPECT_EQ(forces[0], forces[1]);
   EXPECT_NEAR(forces[2], 0.0, 1e-6);

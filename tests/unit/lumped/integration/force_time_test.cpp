@@ -66,8 +66,8 @@ TEST(ForceTimeTest, SlopesAreThoseOfTheForces) {
     }
     for (std::size_t i = 0; i < instants.size(); ++i) {
       const double step = 1e-4 * run.scalars.contact_time;
-      const auto f = forces_at_instants(
-          problem, std::vector<double>{instants[i] + step, instants[i] - step});
+      const auto f =
+          forces_at_instants(problem, std::vector<double>{instants[i] + step, instants[i] - step});
       EXPECT_NEAR(found.rate[i] * run.scalars.contact_time,
                   (f.force[0] - f.force[1]) / (2.0 * step) * run.scalars.contact_time,
                   1e-4 * run.scalars.peak_force);

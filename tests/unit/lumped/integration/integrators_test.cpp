@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "lumped/integration/dormand_prince.hpp"
-#include "lumped/integration/eighth_order_step.hpp"
-#include "lumped/integration/septic.hpp"
+#include "lumped/integration/fast/dormand_prince.hpp"
+#include "lumped/integration/fast/eighth_order_step.hpp"
+#include "lumped/integration/fast/septic.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/problem/error.hpp"
@@ -99,7 +99,9 @@ TEST(DormandPrinceTest, ObservedOrder) {
 // The oscillator over a unit of time; the quadrature of its velocity is its displacement.
 using Oscillator = EighthOrderStep<2, 1>;
 
-Oscillator::Slope oscillate(const Oscillator::State& y) { return {{y[1], -y[0]}, {y[1]}}; }
+Oscillator::Slope oscillate(const Oscillator::State& y) {
+  return {{y[1], -y[0]}, {y[1]}};
+}
 
 TEST(EighthOrderStepTest, ObservedOrder) {
   const auto error_with = [](int steps) {
@@ -165,7 +167,7 @@ TEST(SepticTest, ReproducesSeventhDegree) {
 TEST(FastSamplesTest, AreAsGoodAsTheTolerance) {
   for (const auto& card : all_laws())
     for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection})
-      for (double share : {1.0, 0.05}) {  // of the law's damping
+      for (double share : {1.0, 0.05}) {      // of the law's damping
         if (has_branch(card.name)) continue;  // composed: cubic between shorter steps
         LumpedProblem problem = test::typical_problem(card.name);
         problem.impact.separation = rule;

@@ -66,8 +66,7 @@ TEST_P(SensitivityBattery, FastPathAgreesWithCentralDifferences) {
               return sensitivities_fast(changed).outcome.*member;
             },
             here, 2e-3);
-        EXPECT_NEAR(found.slopes[i].*member * here, expected * here,
-                    1e-7 * found.outcome.*member)
+        EXPECT_NEAR(found.slopes[i].*member * here, expected * here, 1e-7 * found.outcome.*member)
             << what << " by " << found.by[i];
       }
   }
@@ -137,10 +136,10 @@ TEST(SensitivitiesTest, KelvinVoigtInClosedForm) {
                                     .damping = changed.model.parameters.at("damping")},
                                    {.mass = changed.sphere.mass, .speed = changed.impact.speed});
         };
-        const double e = difference([&](double at) { return impact_with(at).restitution(rule); },
-                                    here, 1e-3);
-        const double t = difference([&](double at) { return impact_with(at).contact_time(rule); },
-                                    here, 1e-3);
+        const double e =
+            difference([&](double at) { return impact_with(at).restitution(rule); }, here, 1e-3);
+        const double t =
+            difference([&](double at) { return impact_with(at).contact_time(rule); }, here, 1e-3);
         EXPECT_NEAR(found.slopes[i].restitution * here, e * here, 1e-8) << found.by[i];
         EXPECT_NEAR(found.slopes[i].contact_time * here, t * here,
                     1e-8 * found.outcome.contact_time)
@@ -159,8 +158,7 @@ TEST(SensitivitiesTest, HuntCrossleyInClosedForm) {
       const double lambda = problem.model.parameters.at("damping");
       const double v = problem.impact.speed, p = lambda * v / kappa;
       const double e = hunt_crossley_restitution(p);
-      const double by_p = (1.0 + e - 1.0 / (1.0 + p) - e / (1.0 - p * e)) /
-                          (p / (1.0 - p * e) - p);
+      const double by_p = (1.0 + e - 1.0 / (1.0 + p) - e / (1.0 - p * e)) / (p / (1.0 - p * e) - p);
       const std::map<std::string, double> expected = {{"exponent", 0.0},
                                                       {"stiffness", -by_p * p / kappa},
                                                       {"damping", by_p * v / kappa},

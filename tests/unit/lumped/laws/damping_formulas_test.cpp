@@ -25,8 +25,10 @@ const std::map<std::string, std::vector<double>> returned = {
 };
 
 TEST(DampingFormulasTest, ReturnedRestitution) {
-  ASSERT_EQ(damping_formulas().size(), returned.size());
+  std::size_t found = 0;
   for (const auto& formula : damping_formulas()) {
+    if (!returned.contains(formula.name)) continue;  // held to its own number below
+    ++found;
     const auto& row = returned.at(formula.name);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double asked = 0.9 - 0.1 * static_cast<double>(i);
@@ -34,6 +36,21 @@ TEST(DampingFormulasTest, ReturnedRestitution) {
           << formula.name << " at " << asked;
     }
   }
+  EXPECT_EQ(found, returned.size());
+}
+
+// Every formula of the list against the number that stands beside it there.
+TEST(DampingFormulasTest, EachReturnsWhatItsLineSays) {
+  for (const auto& formula : damping_formulas())
+    EXPECT_NEAR(hunt_crossley_restitution(formula.damping_number(0.5)), formula.returned_for_half,
+                5.1e-5)
+        << formula.name;
+}
+
+TEST(DampingFormulasTest, LessRestitutionTakesMoreDamping) {
+  for (const auto& formula : damping_formulas())
+    for (double e = 0.95; e > 0.5; e -= 0.05)
+      EXPECT_GT(formula.damping_number(e - 0.05), formula.damping_number(e)) << formula.name;
 }
 
 TEST(DampingFormulasTest, ElasticNeedsNoDamping) {
@@ -41,8 +58,11 @@ TEST(DampingFormulasTest, ElasticNeedsNoDamping) {
 }
 
 TEST(DampingFormulasTest, UnknownNameListsTheFormulas) {
-  const DampingRequest request{.formula = "hertz", .restitution = 0.5, .mass = 0.09,
-                               .impact = {.speed = 10.0}, .parameters = {}};
+  const DampingRequest request{.formula = "hertz",
+                               .restitution = 0.5,
+                               .mass = 0.09,
+                               .impact = {.speed = 10.0},
+                               .parameters = {}};
   for (auto damping : {hunt_crossley_damping, linear_damping}) {
     try {
       damping(request, 1e6);
@@ -57,8 +77,11 @@ TEST(DampingFormulasTest, UnknownNameListsTheFormulas) {
 // Eq. (8) of the sliotar paper at core A: κ 3.5e6, e 0.527. The printed λ of
 // 17.63e4 belongs to 14.085 m/s, not to the nominal 15.
 TEST(DampingFormulasTest, PaperDampingOfCoreA) {
-  const DampingRequest request{.formula = "hunt-crossley", .restitution = 0.527, .mass = 0.0896,
-                               .impact = {.speed = 14.085}, .parameters = {}};
+  const DampingRequest request{.formula = "hunt-crossley",
+                               .restitution = 0.527,
+                               .mass = 0.0896,
+                               .impact = {.speed = 14.085},
+                               .parameters = {}};
   EXPECT_NEAR(hunt_crossley_damping(request, 3.5e6), 17.63e4, 10.0);
 }
 

@@ -18,8 +18,10 @@ constexpr double radius = 0.0331, modulus = 10e6, nu = 0.4;
 const double stiffness = 4.0 / 3.0 * modulus / (1.0 - nu * nu) * std::sqrt(radius);
 
 FiniteSphereHertz law_of(double at_radius) {
-  return FiniteSphereHertz::from({{"stiffness", stiffness}, {"dissipation_time", 0.0},
-                                  {"poisson_ratio", nu}, {"radius", at_radius}});
+  return FiniteSphereHertz::from({{"stiffness", stiffness},
+                                  {"dissipation_time", 0.0},
+                                  {"poisson_ratio", nu},
+                                  {"radius", at_radius}});
 }
 
 TEST(FiniteSphereHertzTest, SatisfiesItsDefinition) {
@@ -39,7 +41,8 @@ TEST(FiniteSphereHertzTest, CentreMovesLessThanHertz) {
   for (const auto& [a, s] : {std::pair{0.1, 0.0569}, std::pair{0.2, 0.1187}}) {
     const double hertz = a * a * radius, f = stiffness * std::pow(hertz, 1.5);
     double low = 0.5 * hertz, high = hertz;
-    for (int i = 0; i < 60; ++i) (law.elastic_force(0.5 * (low + high)) < f ? low : high) = 0.5 * (low + high);
+    for (int i = 0; i < 60; ++i)
+      (law.elastic_force(0.5 * (low + high)) < f ? low : high) = 0.5 * (low + high);
     EXPECT_NEAR(1.0 - low / hertz, s, 0.003) << a;
   }
 }
@@ -47,7 +50,8 @@ TEST(FiniteSphereHertzTest, CentreMovesLessThanHertz) {
 // Change against Hertz in contact time and peak force, linear and quasi-static,
 // from the Green function of the sphere: −2.32/−4.64/−6.32 %, +3.21/+6.71/+9.41 %.
 TEST(FiniteSphereHertzTest, ElasticImpacts) {
-  const double targets[][3] = {{0.1, -0.0232, 0.0321}, {0.5, -0.0464, 0.0671}, {1.0, -0.0632, 0.0941}};
+  const double targets[][3] = {
+      {0.1, -0.0232, 0.0321}, {0.5, -0.0464, 0.0671}, {1.0, -0.0632, 0.0941}};
   for (const auto& [speed, time, force] : targets) {
     LumpedProblem problem = test::typical_problem("finite-sphere-hertz");
     problem.impact.speed = speed;
@@ -83,7 +87,8 @@ TEST(FiniteSphereHertzTest, GoesOnSmoothlyBeyondItsRange) {
   const double x = law.last_deflection, h = 1e-6 * x;
   EXPECT_GT(x, 0.2 * radius);
   EXPECT_NEAR((law.elastic_force(x + h) - law.elastic_force(x)) /
-                  (law.elastic_force(x) - law.elastic_force(x - h)), 1.0, 1e-3);
+                  (law.elastic_force(x) - law.elastic_force(x - h)),
+              1.0, 1e-3);
   EXPECT_NEAR((law.elastic_energy(x + h) - law.elastic_energy(x)) / (law.elastic_force(x) * h), 1.0,
               1e-4);
 }

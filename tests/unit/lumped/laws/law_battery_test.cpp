@@ -39,7 +39,7 @@ std::vector<std::string> law_names() {
 TEST_P(LawBattery, RefusesBadParameters) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const auto& parameter : find_law(GetParam()).parameters) {
-    for (double bad : {std::nan(""), inf, -inf, 1e308, parameter.lowest - 1.0}) {
+    for (double bad : {std::nan(""), inf, -inf, 1e308, parameter.range.lowest - 1.0}) {
       LumpedProblem broken = problem_;
       broken.model.parameters[parameter.name] = bad;
       try {
@@ -52,8 +52,8 @@ TEST_P(LawBattery, RefusesBadParameters) {
       }
     }
     LumpedProblem at_limit = problem_;
-    at_limit.model.parameters[parameter.name] = parameter.lowest;
-    if (!parameter.lowest_allowed) {
+    at_limit.model.parameters[parameter.name] = parameter.range.lowest;
+    if (!parameter.range.lowest_allowed) {
       EXPECT_THROW(simulate_fast(at_limit), Error) << parameter.name;
     }
   }
@@ -72,6 +72,12 @@ TEST_P(LawBattery, NamesAMissingParameter) {
       EXPECT_EQ(error.location().key, "model." + parameter.name);
     }
   }
+}
+
+TEST_P(LawBattery, TypicalParametersReturnWhatTheCardSays) {
+  const double e = simulate_fast(problem_).scalars.restitution;
+  EXPECT_GT(e, 0.4);
+  EXPECT_LT(e, 0.8);
 }
 
 TEST_P(LawBattery, NoForceAtRest) {
@@ -107,8 +113,7 @@ TEST_P(LawBattery, SlopesAreThoseOfTheForce) {
   each_state([](const auto& l, double x, double v) {
     const ForceSlopes f = l.at_root(std::sqrt(x), v);
     const double size = std::abs(l.elastic_force(x)) + std::abs(l.damping_force(x, 15.0));
-    const double by_x =
-        central_difference([&](double at) { return l.force(at, v); }, x, 1e-3 * x);
+    const double by_x = central_difference([&](double at) { return l.force(at, v); }, x, 1e-3 * x);
     EXPECT_NEAR(f.by_log_deflection, x * by_x, 1e-8 * size);
     const double by_v = central_difference([&](double at) { return l.force(x, at); }, v, 0.1);
     EXPECT_NEAR(f.by_speed, by_v, 1e-8 * size);
@@ -130,9 +135,9 @@ TEST_P(LawBattery, ParameterSlopesAreThoseOfTheForce) {
           return std::visit([&](const auto& l) { return l.force(x, v); },
                             make_law(changed, problem_.impact, problem_.sphere));
         };
-        const double slope = std::visit(
-            [&](const auto& l) { return l.slope_by(i, std::sqrt(x), v); },
-            make_law(model, problem_.impact, problem_.sphere));
+        const double slope =
+            std::visit([&](const auto& l) { return l.slope_by(i, std::sqrt(x), v); },
+                       make_law(model, problem_.impact, problem_.sphere));
         const double size = std::abs(force_with(value)) / value;
         EXPECT_NEAR(slope, central_difference(force_with, value, 1e-3 * value), 1e-7 * size)
             << cards[i].name << " at x = " << x << ", v = " << v;
@@ -186,7 +191,7 @@ TEST_P(LawBattery, RestitutionFallsWithDampingAndStaysPositive) {
   }
 }
 
-TEST_P(LawBattery, BooksClose) {
+TEST_P(LawBattery, EnergyBalanceCloses) {
   for (const auto rule : {SeparationRule::zero_force, SeparationRule::zero_deflection}) {
     problem_.impact.separation = rule;
     for (const auto& result : {simulate_fast(problem_), simulate(problem_)}) {

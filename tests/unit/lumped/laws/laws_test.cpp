@@ -39,8 +39,18 @@ TEST(LawsTest, DampingParameterIsOnTheCard) {
   }
 }
 
+// A law without loss has nothing to name; every other must, or the battery cannot see it.
+TEST(LawsTest, LossParameterIsOnTheCard) {
+  for (const auto& card : all_laws()) {
+    bool found = false;
+    for (const auto& p : card.parameters) found |= p.name == card.loss_parameter;
+    EXPECT_TRUE(found) << card.name;
+  }
+}
+
 TEST(EquivalentKelvinVoigtTest, ReducesToLinear) {
-  const auto law = EquivalentKelvinVoigt::from({{"exponent", 1.0}, {"stiffness", 2e5},
+  const auto law = EquivalentKelvinVoigt::from({{"exponent", 1.0},
+                                                {"stiffness", 2e5},
                                                 {"damping", 50.0},
                                                 {"representative_deflection", 1.0}});
   const LinearKelvinVoigt linear{.stiffness = 2e5, .damping = 50.0};
@@ -50,7 +60,8 @@ TEST(EquivalentKelvinVoigtTest, ReducesToLinear) {
 // Table 4 of the sliotar paper, core A at 15 m/s: κ 3.5e6, λ 17.63e4,
 // x_R 3.97 mm give 44.05 N s/m and 2.20e5 N/m as printed.
 TEST(EquivalentKelvinVoigtTest, ReproducesTheTable) {
-  const auto law = EquivalentKelvinVoigt::from({{"exponent", 1.5}, {"stiffness", 3.5e6},
+  const auto law = EquivalentKelvinVoigt::from({{"exponent", 1.5},
+                                                {"stiffness", 3.5e6},
                                                 {"damping", 17.63e4},
                                                 {"representative_deflection", 3.97e-3}});
   EXPECT_NEAR(law.linear_damping, 44.05, 0.2);  // x_R rounded to 10 µm moves it by 0.17
@@ -59,7 +70,9 @@ TEST(EquivalentKelvinVoigtTest, ReproducesTheTable) {
 
 TEST(PowerLawTest, ContainsTheOthers) {
   const auto general = [](double n1, double n2, double damping) {
-    return PowerLaw::from({{"stiffness", 3e6}, {"damping", damping}, {"damping_exponent", n1},
+    return PowerLaw::from({{"stiffness", 3e6},
+                           {"damping", damping},
+                           {"damping_exponent", n1},
                            {"stiffness_exponent", n2}});
   };
   const LinearKelvinVoigt linear{.stiffness = 3e6, .damping = 50.0};
@@ -81,7 +94,7 @@ TEST(PowerTest, HalvesAgreeWithGeneralPower) {
 
 TEST(BlankLawTest, IsALawInNoList) {
   EXPECT_THROW(find_law(BlankLaw::card().name), Error);
-  EXPECT_EQ(BlankLaw::from({{"stiffness", 2.0}}).force(3.0, 1.0), 6.0);
+  EXPECT_EQ(BlankLaw::from({{"stiffness", 2.0}, {"damping", 0.5}}).force(3.0, 1.0), 6.5);
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ TEST(MakeLawTest, RefusalsNameTheKey) {
   using P = LumpedProblem&;
   EXPECT_EQ(refused_key([](P p) { p.model.law = "nonsense"; }), "model.law");
   EXPECT_EQ(refused_key([](P p) { p.model.parameters["mass"] = 1.0; }), "model.mass");
-  EXPECT_EQ(refused_key([](P p) { p.model.at_speed[0].parameters["k"] = 1.0; }), "model.k");
+  EXPECT_EQ(refused_key([](P p) { p.model.at_speed[0].parameters["k"] = 1.0; }),
+            "model.at_speed[0].k");
   EXPECT_EQ(refused_key([](P p) { p.model.restitution = 0.5; }), "model.damping_formula");
   EXPECT_EQ(refused_key([](P p) { p.model.damping_formula = "exact"; }), "model.restitution");
   EXPECT_EQ(refused_key([](P p) {
@@ -89,13 +90,19 @@ TEST(MakeLawTest, RefusalsNameTheKey) {
               p.model.damping_formula = "exact";
             }),
             "model.damping");
-  EXPECT_EQ(refused_key([](P p) { p.model.at_speed[1].speed = 5.0; p.impact.speed = 5.0; }),
-            "model.at_speed.speed");
+  EXPECT_EQ(refused_key([](P p) {
+              p.model.at_speed[1].speed = 5.0;
+              p.impact.speed = 5.0;
+            }),
+            "model.at_speed[1].speed");
   EXPECT_EQ(refused_key([](P p) { p.sphere.mass = 0.0; }), "sphere.mass");
   EXPECT_EQ(refused_key([](P p) { p.impact.speed = -1.0; }), "impact.speed");
   EXPECT_EQ(refused_key([](P p) {
-              p.model = {.law = "hertz-damped", .parameters = {{"stiffness", 3e6}},
-                         .restitution = 0.5, .damping_formula = "exact", .at_speed = {}};
+              p.model = {.law = "hertz-damped",
+                         .parameters = {{"stiffness", 3e6}},
+                         .restitution = 0.5,
+                         .damping_formula = "exact",
+                         .at_speed = {}};
             }),
             "model.restitution");
 }

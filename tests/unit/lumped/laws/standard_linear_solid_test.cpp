@@ -28,7 +28,9 @@ void expect_hertz(const LumpedProblem& problem, double stiffness, double toleran
   }
 }
 
-TEST(StandardLinearSolidTest, NoBranchIsHertz) { expect_hertz(solid_with(0.0, 1e-3), 3.5e6, 1e-5); }
+TEST(StandardLinearSolidTest, NoBranchIsHertz) {
+  expect_hertz(solid_with(0.0, 1e-3), 3.5e6, 1e-5);
+}
 
 TEST(StandardLinearSolidTest, SlowBranchIsStiffer) {
   expect_hertz(solid_with(1.0, 1e4), 7e6, 1e-5);

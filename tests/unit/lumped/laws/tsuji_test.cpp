@@ -14,11 +14,15 @@ namespace {
 // α that returns e: published closed form at zero deflection, independent
 // integration at zero force.
 TEST(TsujiTest, DampingNumberOfATable) {
-  const double table[][3] = {
-      {0.9, 0.07495, 0.07662}, {0.7, 0.25225, 0.27328}, {0.5, 0.48177, 0.57081}, {0.3, 0.80019, 1.11186}};
+  const double table[][3] = {{0.9, 0.07495, 0.07662},
+                             {0.7, 0.25225, 0.27328},
+                             {0.5, 0.48177, 0.57081},
+                             {0.3, 0.80019, 1.11186}};
   for (const auto& [e, at_deflection, at_force] : table)
     for (const auto rule : {SeparationRule::zero_deflection, SeparationRule::zero_force}) {
-      const double damping = Tsuji::damping_for({.formula = "exact", .restitution = e, .mass = 0.09,
+      const double damping = Tsuji::damping_for({.formula = "exact",
+                                                 .restitution = e,
+                                                 .mass = 0.09,
                                                  .impact = {.speed = 5.0, .separation = rule},
                                                  .parameters = {{"stiffness", 2e6}}});
       EXPECT_NEAR(damping / std::sqrt(0.09 * 2e6),

@@ -34,8 +34,9 @@ TEST(MovingPlateTest, StiffPlateIsRigid) {
 TEST(MovingPlateTest, FreePlateIsTwoBodies) {
   constexpr double ball = 0.0896, plate = 0.7;
   const double reduced = ball * plate / (ball + plate);
-  const auto free = with(elastic_problem(),
-                         [&](Mechanisms& m) { m.plate = {.stiffness = 1e-3, .mass = plate, .damping_ratio = 0.0}; });
+  const auto free = with(elastic_problem(), [&](Mechanisms& m) {
+    m.plate = {.stiffness = 1e-3, .mass = plate, .damping_ratio = 0.0};
+  });
   const LumpedResult result = simulate_fast(free);
   const ElasticImpact relative = hertz(stiffness, reduced, 15.0);
   EXPECT_NEAR(result.scalars.contact_time / relative.contact_time, 1.0, 1e-6);

@@ -22,8 +22,9 @@ using test::stiffness;
 using test::with;
 
 TEST(RelaxationTest, SlowBranchIsStiffness) {
-  const auto slow = with(test::typical_problem("hunt-crossley"),
-                         [](Mechanisms& m) { m.relaxation = {.ratio = 0.3, .relaxation_time = 1e7}; });
+  const auto slow = with(test::typical_problem("hunt-crossley"), [](Mechanisms& m) {
+    m.relaxation = {.ratio = 0.3, .relaxation_time = 1e7};
+  });
   LumpedProblem stiffer = test::typical_problem("hunt-crossley");
   stiffer.model.parameters["stiffness"] *= 1.3;
   expect_same_impact(slow, stiffer, 1e-5);
@@ -58,8 +59,8 @@ TEST(RelaxationTest, LinearSpringIsTheStandardLinearSolid) {
   for (int sweep = 0; sweep < 200; ++sweep)
     for (int i = 0; i < 3; ++i) {
       const Complex r = root[i];
-      root[i] -= (((r + 1.0) * r + a) * r + b) /
-                 ((r - root[(i + 1) % 3]) * (r - root[(i + 2) % 3]));
+      root[i] -=
+          (((r + 1.0) * r + a) * r + b) / ((r - root[(i + 1) % 3]) * (r - root[(i + 2) % 3]));
     }
   const Trace trace = simulate_fast(problem).trace;
   for (std::size_t i = 0; i < trace.time.size(); ++i) {
@@ -75,8 +76,9 @@ TEST(RelaxationTest, LinearSpringIsTheStandardLinearSolid) {
 
 // The relaxed part of the force is missing on the way back.
 TEST(RelaxationTest, ForceEndsWhileTheBallIsStillDented) {
-  const auto result = simulate_fast(
-      with(elastic_problem(), [](Mechanisms& m) { m.relaxation = {0.3, 1e-3}; }));
+  const auto result = simulate_fast(with(elastic_problem(), [](Mechanisms& m) {
+    m.relaxation = {0.3, 1e-3};
+  }));
   EXPECT_NEAR(result.trace.force.back(), 0.0, 1e-6 * result.scalars.peak_force);
   EXPECT_GT(result.trace.deflection.back(), 0.01 * result.scalars.peak_deflection);
   EXPECT_LT(result.scalars.restitution, 0.99);
@@ -90,16 +92,16 @@ TEST(PermanentSetTest, LeavesItsShareOfTheLargestDeflection) {
     EXPECT_NEAR(result.scalars.restitution, std::sqrt(1.0 - set), 1e-7);
     // Loading is the bare law's, unloading the same in time scaled by √(1 − p).
     const ElasticImpact bare = hertz(stiffness, 0.0896, 15.0);
-    EXPECT_NEAR(result.scalars.contact_time,
-                0.5 * bare.contact_time * (1.0 + std::sqrt(1.0 - set)), 1e-7 * bare.contact_time);
+    EXPECT_NEAR(result.scalars.contact_time, 0.5 * bare.contact_time * (1.0 + std::sqrt(1.0 - set)),
+                1e-7 * bare.contact_time);
   }
 }
 
 // ∫ x^1.5 [1 − s (1 − x/x_m)] dx gives e² = 1 − s (1 − (5/2)/(7/2)).
 TEST(HysteresisTest, LosesTheAreaOfItsLoop) {
   for (const double share : {0.1, 0.5, 1.0}) {
-    const auto result = simulate_fast(
-        with(elastic_problem(), [&](Mechanisms& m) { m.memory.hysteresis = share; }));
+    const auto result =
+        simulate_fast(with(elastic_problem(), [&](Mechanisms& m) { m.memory.hysteresis = share; }));
     EXPECT_NEAR(result.scalars.restitution, std::sqrt(1.0 - share * 2.0 / 7.0), 1e-7);
   }
 }
@@ -120,8 +122,8 @@ TEST(AdhesionTest, EndsAtPullOff) {
 }
 
 TEST(AdhesionTest, ABallThatSticksHasNoRestitution) {
-  auto problem = with(test::typical_problem("hunt-crossley"),
-                      [](Mechanisms& m) { m.adhesion = 2e4; });
+  auto problem =
+      with(test::typical_problem("hunt-crossley"), [](Mechanisms& m) { m.adhesion = 2e4; });
   problem.impact.speed = 0.5;
   for (auto run : {simulate, simulate_fast}) EXPECT_THROW(run(problem), Error);
 }
@@ -150,7 +152,8 @@ TEST(DampingFactorTest, ExponentsTurnHuntCrossleyIntoKelvinVoigt) {
 // At a contact radius of R/5 and ν = 0.4 the force at a given centre-of-mass
 // deflection is 20 % above Hertz, at 2R/5 46 %, where the first order gives 50 %.
 TEST(FiniteSphereTest, ForceAboveHertz) {
-  LumpedProblem problem = with(elastic_problem(), [](Mechanisms& m) { m.finite_sphere.share = 1.0; });
+  LumpedProblem problem =
+      with(elastic_problem(), [](Mechanisms& m) { m.finite_sphere.share = 1.0; });
   problem.controls.samples = 20001;
   problem.impact.speed = 25.0;
   const Trace trace = simulate_fast(problem).trace;
@@ -171,7 +174,8 @@ TEST(FiniteSphereTest, ForceAboveHertz) {
 }
 
 TEST(FiniteSphereTest, BeyondItsRangeIsAnError) {
-  LumpedProblem problem = with(elastic_problem(), [](Mechanisms& m) { m.finite_sphere.share = 1.0; });
+  LumpedProblem problem =
+      with(elastic_problem(), [](Mechanisms& m) { m.finite_sphere.share = 1.0; });
   problem.model.parameters["stiffness"] = 2e5;
   for (auto run : {simulate, simulate_fast}) {
     try {

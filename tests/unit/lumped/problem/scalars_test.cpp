@@ -27,8 +27,8 @@ TEST(ScalarsTest, ParabolaFindsPeakOfSine) {
     const Trace trace = half_sine(intervals);
     return std::abs(refined_peak(trace.time, trace.force) - 1.0);
   };
-  EXPECT_LT(error(41), 1e-5);                // the highest sample alone is 7e-4 off
-  EXPECT_GT(error(41) / error(83), 7.0);     // third order or better: 2³ less a little
+  EXPECT_LT(error(41), 1e-5);             // the highest sample alone is 7e-4 off
+  EXPECT_GT(error(41) / error(83), 7.0);  // third order or better: 2³ less a little
 }
 
 TEST(ScalarsTest, TimeAboveInterpolatesBothCrossings) {

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "meshes/format/check_mesh.hpp"
+#include "meshes/quality/check_mesh.hpp"
 #include "meshes/quality/mesh_quality.hpp"
 #include "tests/support/refusals.hpp"
 
@@ -48,13 +48,15 @@ TEST(SphereMeshTest, CountQualityAndVolume) {
   const double sphere = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
   for (const int cells : {150, 500, 2000})
     for (const double grading : {1.0, 8.0}) {
-      const Mesh mesh = generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading});
+      const Mesh mesh =
+          generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading});
       const MeshQuality quality = measure_quality(mesh);
       EXPECT_NEAR(quality.cells, cells, 0.05 * cells) << cells << " grading " << grading;
       EXPECT_GT(quality.worst_scaled_jacobian, 0.3) << cells << " grading " << grading;
       // Chords lose (Δφ)²/5 or so of the volume: of the order of 1/cells.
       EXPECT_LT(quality.volume, sphere);
-      EXPECT_GT(quality.volume, sphere * (1.0 - 4.0 * std::sqrt(grading) / cells)) << cells << " grading " << grading;
+      EXPECT_GT(quality.volume, sphere * (1.0 - 4.0 * std::sqrt(grading) / cells))
+          << cells << " grading " << grading;
       EXPECT_NO_THROW(check_mesh(mesh, "generated"));
     }
 }
@@ -76,15 +78,21 @@ TEST(SphereMeshTest, VolumeConvergesToTheSphere) {
 TEST(SphereMeshTest, AnyGradingKeepsTheAngles) {
   for (const int cells : {150, 1000})
     for (const double grading : {1.0, 30.0, 200.0})
-      EXPECT_GT(measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading}))
-                    .worst_scaled_jacobian, 0.7) << cells << " grading " << grading;
+      EXPECT_GT(measure_quality(
+                    generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading}))
+                    .worst_scaled_jacobian,
+                0.7)
+          << cells << " grading " << grading;
 }
 
 TEST(SphereMeshTest, SmallestMeshesAreUsable) {
   // Below 150 cells a corner can be sharp, but none is turned over.
   for (const int cells : {20, 60, 100})
-    EXPECT_GT(measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = 1.0}))
-                  .worst_scaled_jacobian, 0.1) << cells;
+    EXPECT_GT(
+        measure_quality(generate_sphere_mesh({.radius = radius, .cells = cells, .grading = 1.0}))
+            .worst_scaled_jacobian,
+        0.1)
+        << cells;
 }
 
 TEST(SphereMeshTest, GroupsAreComplete) {
@@ -130,7 +138,8 @@ TEST(SphereMeshTest, RefusesRequestsOutOfRange) {
   };
   for (const double bad : {0.0, -1.0, nan, infinity})
     EXPECT_EQ(key_refused({.radius = bad}), "radius");
-  for (const int bad : {-5, 0, 19}) EXPECT_EQ(key_refused({.radius = radius, .cells = bad}), "cells");
+  for (const int bad : {-5, 0, 19})
+    EXPECT_EQ(key_refused({.radius = radius, .cells = bad}), "cells");
   for (const double bad : {0.5, -4.0, 201.0, nan, infinity})
     EXPECT_EQ(key_refused({.radius = radius, .grading = bad}), "grading");
 }

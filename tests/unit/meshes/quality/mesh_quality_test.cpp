@@ -22,12 +22,13 @@ TEST(MeshQualityTest, VolumeOfConeFrustum) {
   Mesh mesh;
   mesh.vertices = {{0, 0}, {2, 0}, {1, 3}, {0, 3}};
   mesh.cells = {{0, 1, 2, 3}};
-  EXPECT_NEAR(measure_quality(mesh).volume, std::numbers::pi * 3.0 / 3.0 * (4.0 + 2.0 + 1.0), 1e-13);
+  EXPECT_NEAR(measure_quality(mesh).volume, std::numbers::pi * 3.0 / 3.0 * (4.0 + 2.0 + 1.0),
+              1e-13);
 }
 
 TEST(MeshQualityTest, EdgesAndCounts) {
-  const MeshQuality quality =
-      measure_quality(test::cylinder({.radius = 1, .length = 3, .cells_across = 4, .cells_along = 6}));
+  const MeshQuality quality = measure_quality(
+      test::cylinder({.radius = 1, .length = 3, .cells_across = 4, .cells_along = 6}));
   EXPECT_EQ(quality.cells, 24);
   EXPECT_EQ(quality.vertices, 35);
   EXPECT_DOUBLE_EQ(quality.smallest_edge, 0.25);
@@ -38,7 +39,8 @@ TEST(MeshQualityTest, EdgesAndCounts) {
 
 TEST(MeshQualityTest, ScaledJacobianIsTheSineOfTheWorstCorner) {
   Mesh mesh;
-  mesh.vertices = {{0, 0}, {1, 0}, {1 + std::cos(1.0), std::sin(1.0)}, {std::cos(1.0), std::sin(1.0)}};
+  mesh.vertices = {
+      {0, 0}, {1, 0}, {1 + std::cos(1.0), std::sin(1.0)}, {std::cos(1.0), std::sin(1.0)}};
   mesh.cells = {{0, 1, 2, 3}};
   EXPECT_NEAR(measure_quality(mesh).worst_scaled_jacobian, std::sin(1.0), 1e-15);
   mesh.cells = {{0, 3, 2, 1}};

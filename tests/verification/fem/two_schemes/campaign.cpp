@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "comparisons/config/impact_file.hpp"
-#include "comparisons/modules/module_loader.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 
@@ -37,7 +37,9 @@ std::vector<SchemePair> run_both(const std::filesystem::path& folder, const std:
   std::vector<SchemePair> pairs;
   for (std::size_t i = 0; i < scalars_with_error().size(); ++i) {
     const ScalarOfResult& scalar = scalars_with_error()[i];
-    pairs.push_back({.core = core, .speed = speed, .quantity = scalar.key,
+    pairs.push_back({.core = core,
+                     .speed = speed,
+                     .quantity = scalar.key,
                      .explicit_value = scalar.value(first.result),
                      .explicit_bar = first.errors[i].uncertainty,
                      .implicit_value = scalar.value(second.result),

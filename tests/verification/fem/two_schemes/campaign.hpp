@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/numerical_error/reference_impact.hpp"
+#include "comparisons/accuracy/numerical_error/reference_impact.hpp"
 
 namespace rebound::test {
 

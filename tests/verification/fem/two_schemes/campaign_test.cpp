@@ -37,7 +37,8 @@ TEST(TwoSchemesCampaign, OneCaseOfTheTwelveAgain) {
   std::size_t found = 0;
   for (const SchemePair& now : again)
     for (const SchemePair& then : stored) {
-      if (then.core != now.core || then.speed != now.speed || then.quantity != now.quantity) continue;
+      if (then.core != now.core || then.speed != now.speed || then.quantity != now.quantity)
+        continue;
       if (!compared.contains(now.quantity)) continue;
       ++found;
       EXPECT_TRUE(now.agrees()) << now.quantity;

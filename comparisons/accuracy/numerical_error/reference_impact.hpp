@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "comparisons/accuracy/numerical_error/grid_convergence.hpp"
+#include "fem/interface/modules.hpp"
+
+namespace rebound {
+
+/// A scalar of an FE result that carries an error bar, under its key.
+struct ScalarOfResult {
+  const char* key;
+  double (*value)(const FemResult&);
+};
+const std::vector<ScalarOfResult>& scalars_with_error();
+
+/// Error bar of one scalar.
+struct ScalarError {
+  const char* key;
+  double uncertainty = 0.0;  ///< meshes, step and scatter together
+  GridError meshes;
+  double step = 0.0;     ///< share of the time step
+  double scatter = 0.0;  ///< share of nodes that engage one by one
+};
+
+/// What one run of the family took.
+struct FamilyMember {
+  int cells = 0;
+  double speed = 0.0;  ///< [m/s]
+  double step_safety = 0.0;
+  long steps = 0;
+  double wall_seconds = 0.0;
+};
+
+/// An FE trace with its numerical error bar.
+///
+/// `result` is that of the finest mesh; its trace has two columns more,
+/// force_uncertainty_N and deflection_uncertainty_m.
+struct ReferenceImpact {
+  FemResult result;
+  std::vector<ScalarError> errors;  ///< in the order of scalars_with_error()
+  std::vector<FamilyMember> family;
+};
+
+/// A trace is called a reference when peak force, peak deflection, contact time and
+/// restitution are each known to this share of their value.
+inline constexpr double reference_limit = 0.005;
+
+/// Those of the four that are not. Empty: a reference.
+std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference);
+
+/// What is known to the limit, or what is not, in words.
+std::string words_of_reference(const std::vector<std::string>& beyond);
+
+/// Runs one impact on a mesh and its two refinements by cutting cells into
+/// four; on the middle one also with half the step, and at four speeds nearby.
+///
+///   U² = U_meshes² + (4/3 |change by halving the step|)² + (2 s)²
+///
+///   U_meshes  see grid_convergence()
+///   s         scatter on the middle mesh of five speeds within ± 10 % about a
+///             parabola. The true value is smooth in speed; what is not comes
+///             from nodes that engage and leave one by one. It falls with the
+///             cell, to s/2 on the fine mesh: 2 s is four of it, as two degrees
+///             of freedom ask for 95 %. The peak of the force, which is raised
+///             by ripple on any mesh, takes 2 × the ripple seen at its own peak beside it.
+///
+/// The step's share is of second order in it and taken on the middle mesh,
+/// where the step is twice that of the result: an upper estimate.
+/// Band of the trace: largest |fine − medium| within ± 1/50 of the contact
+/// time, as the ripple of the contact front wanders in time.
+///
+/// Bars say what cells and step do; not whether the material is right.
+/// Limit: covers case d, case d′ and the values of 65 000 cells
+///        -> tests ReferenceImpactTest, ReferenceBar.
+/// Errors: Error(solver_failed) when a member does not complete;
+///         Error(interrupted). No bar is ever given from fewer members.
+ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, const Mesh& coarse,
+                              const RunControl& control);
+
+}  // namespace rebound

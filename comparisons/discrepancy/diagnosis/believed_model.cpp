@@ -1,0 +1,79 @@
+#include "comparisons/discrepancy/diagnosis/believed_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparisons/io/toml/describe_effect.hpp"
+#include "comparisons/io/toml/describe_impact.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
+
+namespace rebound {
+namespace {
+
+/// An impact file of which only [model] is needed.
+struct BelievedFile {
+  LumpedImpactFile impact;
+};
+
+void describe(Visitor& visit, BelievedFile& file) {
+  LumpedProblem& problem = file.impact.problem;
+  describe_schema(visit);
+  visit.visit_table({.name = "impact", .sentence = "Not used.", .presence = Presence::optional},
+                    [&](Visitor& inner) { rebound::describe(inner, problem.impact); });
+  visit.visit_table({.name = "sphere", .sentence = "The ball.", .presence = Presence::optional},
+                    [&](Visitor& inner) { rebound::describe(inner, problem.sphere); });
+  visit.visit_table({.name = "model", .sentence = "The contact law and its numbers."},
+                    [&](Visitor& inner) {
+                      describe_lumped_model(inner, problem.model);
+                      describe_effects(inner, file.impact.effects);
+                    });
+  visit.table({.name = "controls", .sentence = "Not used.", .presence = Presence::optional},
+              problem.controls);
+}
+
+void check_same_ball(const Document& document, const Sphere& believed, const Dataset& dataset) {
+  // Five standard deviations, and what rounding of a printed number allows.
+  constexpr double deviations = 5.0, rounding = 0.005;
+  const auto check = [&](const char* key, double file, double data, double uncertainty) {
+    if (std::abs(file - data) <= deviations * uncertainty + rounding * data) return;
+    throw document.error_at(std::string("sphere.") + key,
+                            fmt::format("the model's ball is not that of '{}': {:.6g} against "
+                                        "{:.6g} in SI units",
+                                        dataset.name, file, data),
+                            "the data set's own value, or no [sphere]");
+  };
+  check("mass", believed.mass, dataset.sphere.mass, dataset.mass_uncertainty.value_or(0.0));
+  check("diameter", believed.diameter, dataset.sphere.diameter,
+        dataset.diameter_uncertainty.value_or(0.0));
+}
+
+}  // namespace
+
+BelievedModel read_believed_model(const Document& document, const std::vector<Dataset>& datasets) {
+  if (document.root()["model"]["tier"].value<std::string>() == "fem")
+    throw document.error_at("model.tier", "a believed FE model is not available in this version",
+                            "lumped");
+  BelievedFile file;
+  read_document(document, file);
+  if (document.root().contains("sphere") && datasets.size() == 1)
+    check_same_ball(document, file.impact.problem.sphere, datasets.front());
+  return {.model = file.impact.problem.model, .effects = file.impact.effects};
+}
+
+std::string extended_model_toml(const Diagnosis& diagnosis) {
+  const HypothesisFit& fit = diagnosis.best();
+  const MeasuredImpact& shot = diagnosis.seen->shots.front();
+  LumpedImpactFile file;
+  file.problem.sphere = diagnosis.seen->balls[shot.ball].sphere;
+  file.problem.impact.speed = shot.impact.speed;
+  file.problem.model = fit.model->believed_at(fit.values, shot.ball);
+  if (!file.problem.model.damping_formula.empty() && shot.restitution.value)
+    file.problem.model.restitution = shot.restitution.value;
+  file.effects = fit.effects;
+  return write_toml(file);
+}
+
+}  // namespace rebound

@@ -1,0 +1,178 @@
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double same_speed = 1e-6;
+
+/// What may be missing: everything in the list that the model does not have.
+std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
+  std::vector<std::string> names;
+  for (const Effect& effect : all_effects()) {
+    const bool known = std::any_of(present.begin(), present.end(), [&](const EffectChoice& e) {
+      return e.name == effect.card.name;
+    });
+    if (!known && (effect.to_lumped || effect.to_measurement)) names.push_back(effect.card.name);
+  }
+  return names;
+}
+
+/// The speed that is kept from every fit; empty when there are too few.
+std::optional<double> choose_held_out(const DiagnosisRequest& request, const Observations& all) {
+  if (!request.hold_out) return std::nullopt;
+  std::set<double> speeds;
+  for (const auto& shot : all.shots) speeds.insert(shot.impact.speed);
+  if (request.held_out_speed) {
+    for (const double speed : speeds)
+      if (std::abs(speed / *request.held_out_speed - 1.0) < same_speed) return speed;
+    throw Error(ExitCode::bad_input, "no shot of the data has the speed to be held out",
+                {.key = "hold-out", .value = fmt::format("{:g} m/s", *request.held_out_speed)});
+  }
+  constexpr std::size_t fewest_speeds = 3;
+  if (speeds.size() < fewest_speeds) return std::nullopt;
+  return *std::next(speeds.begin(), static_cast<std::ptrdiff_t>(speeds.size() / 2));
+}
+
+/// What the data lack for any verdict; empty when they are enough.
+std::vector<std::string> lacking(const Observations& seen, const Hypothesis& baseline) {
+  std::vector<std::string> needed = seen.missing;
+  if (seen.shots.empty()) return needed;
+  const JointModel model(seen, baseline);
+  const auto unknowns = model.unknowns().size();
+  const auto priors = model.residuals(model.start()).size() - model.rows().size();
+  // With nothing over, every model fits and none can be told from another.
+  if (model.rows().size() < unknowns - priors + 2)
+    needed.push_back(
+        fmt::format("more data: {} numbers for {} unknowns; a force history with its "
+                    "noise, or further speeds",
+                    model.rows().size(), unknowns - priors));
+  return needed;
+}
+
+/// The believed model with its damping given by the exact relation, where it is
+/// given by a formula that contradicts its own restitution and the data see it.
+HypothesisFit made_consistent(const Observations& seen, const HypothesisFit& believed,
+                              const SelectionRules& rules) {
+  if (believed.hypothesis.believed.damping_formula.empty()) return believed;
+  Hypothesis exact = believed.hypothesis;
+  exact.effects.push_back({.name = "low-loss-damping-formula", .size = 1.0, .parameters = {}});
+  try {
+    HypothesisFit repaired = fit_hypothesis(seen, exact);
+    if (repaired.chi_square < believed.chi_square - rules.close_criterion) return repaired;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::bad_input) throw;  // no such effect for this law
+  }
+  return believed;
+}
+
+/// Shares of a diagnosis done when its parts end; measured on one that asks FE.
+constexpr double baseline_share = 0.05, lumped_share = 0.4, fem_fit_share = 0.7;
+
+void report_progress(const RunControl& whole, double fraction) {
+  if (whole.progress) whole.progress(fraction);
+}
+
+AssessedFit judge_believed(const Observations& seen, const Hypothesis& believed,
+                           const DiagnosisRequest& request, const RunControl& control) {
+  return judge(seen, fit_hypothesis(seen, believed, control), absent_effects(believed.effects),
+               request.rules, request.seed);
+}
+
+/// What stands once FE's own part is in the model and in the errors of the data;
+/// nothing where that explains no more.
+void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request,
+                                   const Hypothesis& believed, const Observations& all,
+                                   const RunControl& whole) {
+  const RunControl control{.interrupted = whole.interrupted};
+  const auto gap = std::make_shared<const ModelDiscrepancy>(measure_model_discrepancy(
+      all, *d.seen, d.selection.baseline.fit, {.file = request.mesh_file}, control));
+  report_progress(whole, fem_fit_share);
+  const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
+  Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
+  baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
+  EffectSelection selection =
+      select_effects(*seen, fit_hypothesis(*seen, baseline, control),
+                     absent_effects(baseline.effects), request.rules, request.seed, control);
+  if (!selection.explains()) return;
+  d.believed = judge_believed(*seen, believed_with_gap, request, control);
+  d.selection = std::move(selection);
+  d.model_discrepancy = gap;
+  d.seen = seen;
+  d.unseen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.unseen, *gap));
+  d.warnings.push_back(fmt::format(
+      "the data follow a body of finite size: what FE adds to the lumped model (waves, finite "
+      "strain) was taken into account, with {:.2g} % of the peak force as its numerical "
+      "uncertainty",
+      100.0 * gap->numerical_uncertainty));
+}
+
+void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
+            const Observations& all, const RunControl& whole) {
+  const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
+  d.believed = judge_believed(*d.seen, believed, request, control);
+  report_progress(whole, baseline_share);
+  const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
+  d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.hypothesis.effects),
+                               request.rules, request.seed, control);
+  report_progress(whole, lumped_share);
+  const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
+                                       [](const MeasuredImpact& s) { return s.has_history(); });
+  if (!d.selection.explains() && request.ask_fem && has_fem_tier() && has_history)
+    search_with_model_discrepancy(d, request, believed, all, whole);
+}
+
+void predict_held_out(Diagnosis& d) {
+  d.unseen_before = predict_unseen(*d.unseen, d.believed.fit);
+  d.gap.held_out_before = d.unseen_before->reduced_chi_square;
+  if (!d.extended()) return;
+  d.unseen_after = predict_unseen(*d.unseen, d.best());
+  d.gap.held_out_after = d.unseen_after->reduced_chi_square;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
+  Diagnosis d;
+  d.seed = request.seed;
+  const Observations all = observe(request.datasets);
+  d.warnings = all.warnings;
+  d.held_out_speed = choose_held_out(request, all);
+  std::vector<bool> fitted, left_out;
+  for (const auto& shot : all.shots) {
+    left_out.push_back(d.held_out_speed && shot.impact.speed == *d.held_out_speed);
+    fitted.push_back(!left_out.back());
+  }
+  d.seen = std::make_shared<const Observations>(subset(all, fitted));
+  d.unseen = std::make_shared<const Observations>(subset(all, left_out));
+  if (!d.held_out_speed && request.hold_out)
+    d.warnings.push_back(
+        "fewer than three speeds: none could be left out to test the extended model");
+
+  d.believed_effects = request.believed_effects.size();
+  const Hypothesis baseline{.believed = request.believed,
+                            .effects = request.believed_effects,
+                            .model_discrepancy = nullptr};
+  d.needed = lacking(*d.seen, baseline);
+  if (!d.needed.empty()) return d;
+
+  search(d, request, baseline, all, control);
+  conclude(d, request.rules);
+  d.gap.before = d.believed.fit.reduced_chi_square();
+  if (d.extended()) d.gap.after = d.best().reduced_chi_square();
+  if (d.held_out_speed) predict_held_out(d);
+  return d;
+}
+
+}  // namespace rebound

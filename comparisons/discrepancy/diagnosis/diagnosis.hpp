@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
+#include "comparisons/discrepancy/diagnosis/selection.hpp"
+#include "comparisons/io/dataset/dataset.hpp"
+
+/// Where a believed model and data disagree, and which named effect is missing.
+namespace rebound {
+
+enum class DiagnosisVerdict {
+  agrees,
+  missing,
+  one_of,
+  unexplained,
+  measurement_fault,
+  insufficient_data
+};
+
+/// As scripts read it, e.g. "one-of".
+std::string name_of(DiagnosisVerdict verdict);
+
+/// A number with its 95 % interval, SI.
+struct NumberWithInterval {
+  std::string name;
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// An effect that every candidate has in common.
+struct NamedEffect {
+  EffectChoice effect;
+  NumberWithInterval size;
+  std::vector<NumberWithInterval> parameters;
+  std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
+  std::string fem = "not-run";
+};
+
+/// The largest size of an effect that the data leave possible (95 %).
+struct ExcludedSize {
+  std::string name;
+  double size = 0.0;
+};
+
+/// Reduced whitened χ², 1 is the noise; absent where not computed.
+struct Gap {
+  std::optional<double> before, after, held_out_before, held_out_after;
+};
+
+struct DiagnosisRequest {
+  std::vector<Dataset> datasets;
+  LumpedModel believed;
+  std::vector<EffectChoice> believed_effects;  ///< those the model already has
+  /// Shots at this nominal speed take no part in any fit; empty: the middle one
+  /// of three speeds or more. [m/s]
+  std::optional<double> held_out_speed;
+  bool hold_out = true;
+  /// May FE be asked what it adds to the believed model? Where it is not built: no.
+  bool ask_fem = true;
+  std::string mesh_file;  ///< a user's own mesh for FE; empty: mapped ones
+  SelectionRules rules;
+  std::uint64_t seed = 1;
+};
+
+/// A whole diagnosis: the verdict, and what it rests on.
+struct Diagnosis {
+  DiagnosisVerdict verdict = DiagnosisVerdict::insufficient_data;
+  std::vector<NamedEffect> effects;
+  std::vector<std::vector<std::string>> candidates;  ///< sets not to be told apart
+  std::vector<ExcludedSize> excluded;
+  std::string fault;  ///< empty: none suspected
+  std::vector<std::string> needed;
+  std::vector<std::string> warnings;
+  std::vector<NextExperiment> next;
+  std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
+  Gap gap;
+  std::optional<double> held_out_speed;
+  std::uint64_t seed = 0;
+  std::size_t believed_effects = 0;  ///< how many the model had before; they come first
+
+  std::shared_ptr<const Observations> seen, unseen;  ///< fits point into them
+  AssessedFit believed;                              ///< the model as it came, refitted
+  EffectSelection selection;  ///< from there on, or from the model made consistent with itself
+  /// FE minus lumped, where the data were explained with it only.
+  std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
+  std::optional<HeldOutGap> unseen_before, unseen_after;
+
+  /// Has the search, or the repair of a formula, added to the believed model?
+  bool extended() const { return best().effects.size() > believed_effects; }
+  /// The fit that the verdict rests on: the best candidate, or what the search
+  /// started from.
+  const HypothesisFit& best() const {
+    return selection.indistinguishable.empty()
+               ? selection.baseline.fit
+               : selection.tried[selection.indistinguishable.front()].fit;
+  }
+};
+
+/// Runs the workflow.
+///
+///   1 noise and uncertainties from the data set, or a warning
+///   2 the believed model fitted jointly to all speeds but one
+///   3 a damping formula that does not return the restitution it was given
+///     contradicts the model's own input: it is set right before anything is
+///     added to the model
+///   4 effects searched on what is left (select_effects)
+///   5 where that explains nothing: again with what FE adds to the believed
+///     model taken into account (measure_model_discrepancy)
+///   6 prediction of the speed that was left out, before and after
+///   7 verdict
+///
+/// Errors: Error(bad_input) for a model that has no numbers at a speed of the
+///         data; Error(interrupted).
+Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control = {});
+
+}  // namespace rebound

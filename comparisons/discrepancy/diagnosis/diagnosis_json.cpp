@@ -1,0 +1,147 @@
+#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "comparisons/io/toml/describe_effect.hpp"
+#include "comparisons/io/toml/units.hpp"
+
+namespace rebound {
+namespace {
+
+std::string or_one(const std::string& unit) {
+  return unit.empty() ? "1" : unit;
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json effect_json(const NamedEffect& named) {
+  const EffectCard& card = find_effect(named.effect.name).card;
+  Json parameters = Json::array();
+  for (const auto& number : named.parameters)
+    for (const auto& parameter : card.parameters)
+      if (parameter.name == number.name)
+        parameters.push_back({{"name", number.name},
+                              {"value", number.value},
+                              {"unit", or_one(unit_name(parameter.dimension))},
+                              {"interval", {number.low, number.high}}});
+  return {{"name", card.name},
+          {"size", named.size.value},
+          {"unit", or_one(size_unit(card))},
+          {"interval", {named.size.low, named.size.high}},
+          {"parameters", parameters},
+          {"tiers", {{"lumped", named.lumped}, {"fem", named.fem}}}};
+}
+
+std::string text_of(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "not computed";
+}
+
+}  // namespace
+
+Json to_json(const Diagnosis& d) {
+  Json effects = Json::array(), excluded = Json::array(), next = Json::array(),
+       where = Json::array();
+  for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
+  for (const auto& e : d.excluded)
+    excluded.push_back({{"name", e.name},
+                        {"size", e.size},
+                        {"unit", or_one(size_unit(find_effect(e.name).card))}});
+  for (const auto& e : d.next)
+    next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
+  for (const auto& cell : d.where)
+    where.push_back({{"speed_m_s", d.seen->shots[cell.shot].impact.speed},
+                     {"phase", name_of(cell.phase)},
+                     {"observable", name_of(cell.what)},
+                     {"z", cell.z}});
+  return {{"schema", 1},
+          {"verdict", name_of(d.verdict)},
+          {"effects", effects},
+          {"candidates", d.candidates},
+          {"excluded_above", excluded},
+          {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
+          {"needed", d.needed},
+          {"warnings", d.warnings},
+          {"next_experiments", next},
+          {"where", where},
+          {"gap",
+           {{"before", number_or_null(d.gap.before)},
+            {"after", number_or_null(d.gap.after)},
+            {"held_out_before", number_or_null(d.gap.held_out_before)},
+            {"held_out_after", number_or_null(d.gap.held_out_after)}}},
+          {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
+          {"noise_from", d.seen ? d.seen->noise_from : ""},
+          {"extended_model", nullptr},
+          {"report", nullptr},
+          {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
+          {"seed", d.seed}};
+}
+
+std::string headline(const Diagnosis& d) {
+  const auto sized = [&] {
+    std::string text;
+    for (const auto& e : d.effects) {
+      const EffectCard& card = find_effect(e.effect.name).card;
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", card.name);
+      if (!card.is_switch)
+        text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", e.size.value, e.size.low, e.size.high,
+                            size_unit(card).empty() ? "" : " " + size_unit(card));
+    }
+    return text;
+  };
+  switch (d.verdict) {
+    case DiagnosisVerdict::agrees: return "Model and data agree within the noise.";
+    case DiagnosisVerdict::missing: return "Missing from the model: " + sized() + ".";
+    case DiagnosisVerdict::measurement_fault:
+      return "A fault of the measurement is suspected: " + d.fault + ".";
+    case DiagnosisVerdict::unexplained:
+      return d.effects.empty()
+                 ? std::string("Model and data disagree, and nothing in the list explains it.")
+                 : "Missing from the model: " + sized() +
+                       "; what is left then, nothing in the list "
+                       "explains.";
+    case DiagnosisVerdict::insufficient_data: return "Not enough data for a verdict.";
+    case DiagnosisVerdict::one_of: {
+      std::string sets;
+      for (const auto& names : d.candidates) {
+        std::string one;
+        for (const auto& name : names) one += (one.empty() ? "" : " + ") + name;
+        sets += (sets.empty() ? "" : ", ") + one;
+      }
+      return "One of {" + sets + "}; these data cannot tell which.";
+    }
+  }
+  return {};
+}
+
+std::string to_text(const Diagnosis& d) {
+  std::string text = "VERDICT   " + headline(d) + "\n";
+  const auto out = std::back_inserter(text);
+  if (d.seen) fmt::format_to(out, "noise     {}\n", d.seen->noise_from);
+  if (d.gap.before)
+    fmt::format_to(out, "gap       {} -> {} (noise 1)\n", text_of(d.gap.before),
+                   text_of(d.gap.after));
+  if (d.held_out_speed)
+    fmt::format_to(out, "unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
+                   text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  for (const auto& cell : d.where) {
+    if (&cell - d.where.data() >= 5) break;
+    fmt::format_to(out, "where     {:g} m/s, {}, {}: z = {:+.1f}\n",
+                   d.seen->shots[cell.shot].impact.speed, name_of(cell.phase), name_of(cell.what),
+                   cell.z);
+  }
+  for (const auto& needed : d.needed) fmt::format_to(out, "needed    {}\n", needed);
+  for (const auto& e : d.next)
+    fmt::format_to(out, "next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
+                   e.separates[1], e.probability);
+  for (const auto& e : d.excluded)
+    fmt::format_to(out, "excluded  {} above {:.3g} {}\n", e.name, e.size,
+                   or_one(size_unit(find_effect(e.name).card)));
+  for (const auto& warning : d.warnings) fmt::format_to(out, "warning   {}\n", warning);
+  return text;
+}
+
+}  // namespace rebound

@@ -1,0 +1,160 @@
+#include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+using report::Origin;
+using report::Series;
+
+constexpr double milli = 1e3;
+
+Series line(const std::string& name, Origin origin, const std::vector<double>& time,
+            const std::vector<double>& force) {
+  Series series{.name = name,
+                .origin = origin,
+                .role = Series::Role::candidate,
+                .x = {},
+                .y = force,
+                .x_error = {},
+                .y_error = {},
+                .y_low = {},
+                .y_high = {}};
+  for (const double t : time) series.x.push_back(milli * t);
+  return series;
+}
+
+/// The measured history: points with their noise, thinned so that lines stay visible.
+Series measured_points(const MeasuredImpact& shot) {
+  Series series{.name = "measured",
+                .origin = Origin::measured,
+                .style = Series::Style::points,
+                .role = Series::Role::reference,
+                .x = {},
+                .y = {},
+                .x_error = {},
+                .y_error = {},
+                .y_low = {},
+                .y_high = {}};
+  constexpr std::size_t shown = 120;
+  const Trace& history = shot.trace;
+  const std::size_t stride = std::max<std::size_t>(1, history.time.size() / shown);
+  for (std::size_t i = 0; i < history.time.size(); i += stride) {
+    series.x.push_back(milli * history.time[i]);
+    series.y.push_back(history.force[i]);
+    series.y_error.push_back(shot.noise.deviation);
+  }
+  return series;
+}
+
+report::Figure history_figure(const MeasuredImpact& shot, const std::string& title,
+                              const std::string& caption, const std::vector<double>& before,
+                              const std::vector<double>* after, Origin origin) {
+  const std::vector<double>& time = shot.trace.time;
+  report::Figure figure{
+      .title = title, .caption = caption, .x = {"time", "ms"}, .y = {"force", "N"}, .series = {}};
+  figure.series.push_back(measured_points(shot));
+  figure.series.push_back(line("believed model, refitted", origin, time, before));
+  if (after) figure.series.push_back(line("with the effect", origin, time, *after));
+  return figure;
+}
+
+}  // namespace
+
+report::Matrix map_matrix(const Diagnosis& d) {
+  const ResidualMap& map = d.believed.map;
+  report::Matrix matrix{
+      .title = "Where model and data disagree",
+      .caption =
+          fmt::format("Mean residual of the believed model, refitted, over its spread when "
+                      "nothing is missing: beyond ±{:.1f} the noise alone goes once in fifty "
+                      "maps. Positive: the model is too high.",
+                      map.threshold),
+      .quantity = "mean whitened residual z",
+      .unit = "1",
+      .row_heading = "shot",
+      .hatching = "within the noise",
+      .scale = {report::ColourScale::Kind::diverging, std::max(10.0, map.threshold)},
+      .overlays = {},
+      .columns = {},
+      .rows = {}};
+  std::vector<std::pair<Phase, ObservedQuantity>> columns;
+  for (const MapCell& cell : map.cells) {
+    const std::pair key{cell.phase, cell.what};
+    if (std::find(columns.begin(), columns.end(), key) == columns.end()) columns.push_back(key);
+  }
+  std::sort(columns.begin(), columns.end());
+  for (const auto& [phase, what] : columns)
+    matrix.columns.push_back({name_of(what), name_of(phase)});
+  for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
+    report::MatrixRow row{d.seen->shots[i].label, {}};
+    for (const auto& [phase, what] : columns) {
+      report::MatrixCell cell{.value = {}, .text = "–"};
+      for (const MapCell& c : map.cells)
+        if (c.shot == i && c.phase == phase && c.what == what)
+          cell = {.value = c.z,
+                  .text = fmt::format("{:+.1f}", c.z),
+                  .hatched = std::abs(c.z) <= map.threshold};
+      row.cells.push_back(cell);
+    }
+    matrix.rows.push_back(row);
+  }
+  return matrix;
+}
+
+report::Matrix cosine_matrix(const Diagnosis& d) {
+  const auto& cosines = d.selection.cosines;
+  report::Matrix matrix{.title = "Which effects look alike in these data",
+                        .caption =
+                            "Cosine between what two effects do to the residuals, what the "
+                            "fit can absorb taken out. ±1: cannot be told apart by any fit.",
+                        .quantity = "cosine",
+                        .unit = "1",
+                        .row_heading = "effect",
+                        .hatching = {},
+                        .scale = {report::ColourScale::Kind::diverging, 1.0},
+                        .overlays = {},
+                        .columns = {},
+                        .rows = {}};
+  for (std::size_t i = 0; i < cosines.names.size(); ++i) {
+    matrix.columns.push_back({"", cosines.names[i]});
+    report::MatrixRow row{cosines.names[i], {}};
+    for (std::size_t j = 0; j < cosines.names.size(); ++j) {
+      const double value =
+          cosines.cosine(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      row.cells.push_back({.value = value, .text = fmt::format("{:.2f}", value)});
+    }
+    matrix.rows.push_back(row);
+  }
+  return matrix;
+}
+
+void add_pictures(const Diagnosis& d, report::Section& section) {
+  const HypothesisFit& before = d.believed.fit;
+  const HypothesisFit* after = d.gap.after ? &d.best() : nullptr;
+  for (std::size_t i = 0; i < d.unseen->shots.size(); ++i) {
+    const MeasuredImpact& shot = d.unseen->shots[i];
+    if (!shot.has_history() || !d.unseen_before) continue;
+    section.blocks.push_back(
+        history_figure(shot, "Held out: " + shot.label,
+                       "No fit saw this shot. Points with one standard deviation of the noise.",
+                       d.unseen_before->force[i],
+                       d.unseen_after ? &d.unseen_after->force[i] : nullptr, Origin::predicted));
+  }
+  for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
+    const MeasuredImpact& shot = d.seen->shots[i];
+    if (!shot.has_history()) continue;
+    const auto with =
+        after ? after->model->force_at(after->values, i, shot.trace.time) : std::vector<double>{};
+    section.blocks.push_back(history_figure(
+        shot, "Fitted: " + shot.label, "Points with one standard deviation of the noise.",
+        before.model->force_at(before.values, i, shot.trace.time), after ? &with : nullptr,
+        Origin::fitted));
+  }
+}
+
+}  // namespace rebound

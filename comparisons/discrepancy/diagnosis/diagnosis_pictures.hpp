@@ -1,0 +1,17 @@
+#pragma once
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+#include "comparisons/io/report/report.hpp"
+
+namespace rebound {
+
+/// Speed × phase: mean whitened residual of the believed model.
+report::Matrix map_matrix(const Diagnosis& diagnosis);
+
+/// Which effects do alike to the residuals.
+report::Matrix cosine_matrix(const Diagnosis& diagnosis);
+
+/// Appends force histories with the models before and after: first those that no fit saw.
+void add_pictures(const Diagnosis& diagnosis, report::Section& section);
+
+}  // namespace rebound

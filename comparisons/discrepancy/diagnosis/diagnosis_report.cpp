@@ -1,0 +1,161 @@
+#include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
+#include "comparisons/io/toml/describe_effect.hpp"
+
+namespace rebound {
+namespace {
+
+using report::number_cell;
+using report::Origin;
+using report::text_cell;
+using Kind = report::TableColumn::Kind;
+
+report::Notice::Level level_of(DiagnosisVerdict verdict) {
+  using Level = report::Notice::Level;
+  switch (verdict) {
+    case DiagnosisVerdict::agrees:
+    case DiagnosisVerdict::missing: return Level::finding;
+    case DiagnosisVerdict::one_of:
+    case DiagnosisVerdict::unexplained:
+    case DiagnosisVerdict::insufficient_data: return Level::abstention;
+    case DiagnosisVerdict::measurement_fault: return Level::failure;
+  }
+  return Level::warning;
+}
+
+std::string gap_sentence(const Diagnosis& d) {
+  if (!d.gap.before) return "No gap was computed.";
+  const auto step = [](const std::optional<double>& before, const std::optional<double>& after) {
+    return after ? fmt::format("{:.3g} to {:.3g}", *before, *after)
+                 : fmt::format("{:.3g}", *before);
+  };
+  std::string text =
+      fmt::format("Gap {} (reduced whitened χ², the noise is 1)", step(d.gap.before, d.gap.after));
+  if (d.held_out_speed && d.gap.held_out_before)
+    text += fmt::format("; at {:g} m/s, which no fit saw, {}", *d.held_out_speed,
+                        step(d.gap.held_out_before, d.gap.held_out_after));
+  return text + fmt::format(". Noise from: {}.", d.seen->noise_from);
+}
+
+std::string sizes_of(const HypothesisFit& fit) {
+  std::string text;
+  for (std::size_t k = 0; k < fit.effects.size(); ++k) {
+    const auto& unknowns = fit.model->unknowns_of_effect(k);
+    if (!text.empty()) text += "; ";
+    if (unknowns.empty()) {
+      text += "on";
+      continue;
+    }
+    const Estimate& e = fit.search.estimates[unknowns[0]];
+    text += std::isfinite(e.standard_error)
+                ? fmt::format("{:.3g} ± {:.2g}", e.value, e.standard_error)
+                : fmt::format("{:.3g}, not identifiable", e.value);
+  }
+  return text;
+}
+
+report::Table candidate_table(const Diagnosis& d) {
+  report::Table table{.title = "Effects that were tried",
+                      .caption =
+                          "Size in SI with one standard error. ΔBIC: over the best of all; "
+                          "left: largest further Δχ² of any other effect, to be below the "
+                          "limit beside it.",
+                      .columns = {{"effect", "", Kind::text, {}},
+                                  {"size", "SI", Kind::text, Origin::fitted},
+                                  {"χ² / dof", "1", Kind::number, {}},
+                                  {"ΔBIC", "1", Kind::number, {}},
+                                  {"left", "1", Kind::number, {}},
+                                  {"limit", "1", Kind::number, {}},
+                                  {"explains the data", "", Kind::text, {}}},
+                      .rows = {}};
+  const auto& tried = d.selection.tried;
+  for (const AssessedFit& c : tried)
+    table.rows.push_back(
+        {text_cell(label_of(c.fit.effects)), text_cell(sizes_of(c.fit)),
+         number_cell(c.fit.reduced_chi_square(), 3),
+         text_cell(fmt::format(
+             "{:.1f}", c.fit.information_criterion - tried.front().fit.information_criterion)),
+         number_cell(c.best_remaining, 3), number_cell(c.remaining_threshold, 3),
+         text_cell(c.adequate ? "yes" : "no", c.adequate ? report::TableCell::Verdict::good
+                                                         : report::TableCell::Verdict::bad)});
+  return table;
+}
+
+report::Table excluded_table(const Diagnosis& d) {
+  report::Table table{.title = "Excluded above",
+                      .caption =
+                          "The largest size of each effect that these data leave possible, "
+                          "at 95 %, one at a time.",
+                      .columns = {{"effect", "", Kind::text, {}},
+                                  {"size", "SI", Kind::number, Origin::derived},
+                                  {"unit", "", Kind::text, {}}},
+                      .rows = {}};
+  for (const auto& e : d.excluded) {
+    const std::string unit = size_unit(find_effect(e.name).card);
+    table.rows.push_back(
+        {text_cell(e.name), number_cell(e.size, 2), text_cell(unit.empty() ? "1" : unit)});
+  }
+  return table;
+}
+
+report::Table next_table(const Diagnosis& d) {
+  report::Table table{.title = "Measure next",
+                      .caption =
+                          "P: chance that the right candidate then leads by more than the "
+                          "close criterion; an upper bound.",
+                      .columns = {{"experiment", "", Kind::text, {}},
+                                  {"tells", "", Kind::text, {}},
+                                  {"P", "1", Kind::number, Origin::predicted}},
+                      .rows = {}};
+  for (const auto& e : d.next)
+    table.rows.push_back({text_cell(e.what), text_cell(e.separates[0] + " from " + e.separates[1]),
+                          text_cell(fmt::format("{:.2f}", e.probability))});
+  return table;
+}
+
+}  // namespace
+
+std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::string& name) {
+  report::Section section{
+      .title = "Diagnosis: " + name, .folding = report::Section::Folding::open, .blocks = {}};
+  section.blocks.push_back(report::Notice{level_of(d.verdict), headline(d)});
+  if (d.seen) section.blocks.push_back(report::Paragraph{gap_sentence(d)});
+  for (const auto& needed : d.needed)
+    section.blocks.push_back(report::Paragraph{"Needed: " + needed + "."});
+  if (!d.next.empty()) section.blocks.push_back(next_table(d));
+  report::Section details{.title = "Diagnosis in detail: " + name,
+                          .folding = report::Section::Folding::folded,
+                          .blocks = {}};
+  if (d.gap.before) {
+    section.blocks.push_back(map_matrix(d));
+    add_pictures(d, section);
+    if (!d.selection.tried.empty()) section.blocks.push_back(candidate_table(d));
+    if (!d.excluded.empty()) section.blocks.push_back(excluded_table(d));
+    if (!d.selection.cosines.names.empty()) details.blocks.push_back(cosine_matrix(d));
+  }
+  for (const auto& warning : d.warnings)
+    details.blocks.push_back(report::Notice{report::Notice::Level::warning, warning});
+  if (details.blocks.empty()) return {section};
+  return {section, details};
+}
+
+report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
+                                const Provenance& provenance) {
+  report::Report page;
+  page.title = "Diagnosis: " + name;
+  page.subtitle = "A believed model against data: where they disagree, and what is missing";
+  page.headline = headline(d);
+  page.sections = diagnosis_sections(d, name);
+  page.sections.push_back({.title = "Provenance",
+                           .folding = report::Section::Folding::folded,
+                           .blocks = {report::Verbatim{"Run", dump(to_json(provenance))}}});
+  return page;
+}
+
+}  // namespace rebound

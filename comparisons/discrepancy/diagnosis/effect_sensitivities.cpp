@@ -1,0 +1,207 @@
+#include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "comparisons/discrepancy/diagnosis/noise_statistics.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double size_step = 0.05;       // of the prior scale
+constexpr double invisible = 1e-3;       // |d| per prior scale: a thousandth of σ in all the data
+constexpr double fully_absorbed = 1e-6;  // share of |∂r/∂s|² left over: the fit's own unknown
+
+/// `effect` with every combination of these factors on its fitted parameters.
+std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
+                                          const std::vector<double>& factors) {
+  std::vector<EffectChoice> all{effect};
+  for (const auto& parameter : card.parameters) {
+    if (!parameter.fitted) continue;
+    std::vector<EffectChoice> next;
+    for (const EffectChoice& one : all)
+      for (const double factor : factors) {
+        next.push_back(one);
+        next.back().parameters[parameter.name] = std::clamp(
+            factor * parameter.default_value, parameter.range.lowest, parameter.range.highest);
+      }
+    all = std::move(next);
+  }
+  return all;
+}
+
+/// Where derivatives are taken: a step from null.
+std::vector<EffectChoice> small_effects(const EffectCard& card) {
+  EffectChoice small{.name = card.name, .size = 0.0, .parameters = {}};
+  if (card.is_switch || !std::isfinite(card.null)) {
+    small.size = card.is_switch ? 1.0 : card.prior_scale;
+  } else {
+    const double step = size_step * card.prior_scale;
+    small.size = card.null + step <= card.range.highest ? card.null + step : card.null - step;
+  }
+  return over_parameters(card, small, {0.1, 0.3, 1.0, 3.0, 10.0});
+}
+
+/// Where searches may start.
+std::vector<EffectChoice> finite_effects(const EffectCard& card) {
+  std::vector<EffectChoice> all;
+  const auto add = [&](double size) {
+    if (size < card.range.lowest || size > card.range.highest) return;
+    const EffectChoice one{.name = card.name, .size = size, .parameters = {}};
+    for (auto& choice : over_parameters(card, one, {0.1, 0.3, 1.0, 3.0, 10.0}))
+      all.push_back(choice);
+  };
+  if (card.is_switch) {
+    add(1.0);
+    return all;
+  }
+  const double null = std::isfinite(card.null) ? card.null : 0.0;
+  for (double factor = 0.1; factor < 8.0; factor *= 1.5) {
+    add(null + factor * card.prior_scale);
+    add(null - factor * card.prior_scale);
+  }
+  return all;
+}
+
+/// Residuals of the fitted model with one more effect, nothing refitted; empty
+/// where the effect has no form for this model, or the impact no answer.
+std::optional<Eigen::VectorXd> residuals_with(const Observations& seen, const HypothesisFit& fit,
+                                              const EffectChoice& added) {
+  Hypothesis with = fit.hypothesis;
+  with.effects = fit.effects;
+  with.effects.push_back(added);
+  try {
+    const JointModel model(seen, with);
+    // Unknowns of the added effect stand as given, all others as fitted.
+    const std::vector<double> residuals = model.residuals(values_from(fit, model));
+    return Eigen::Map<const Eigen::VectorXd>(residuals.data(),
+                                             static_cast<Eigen::Index>(residuals.size()));
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::bad_input && error.code() != ExitCode::solver_failed) throw;
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+EffectSensitivities::EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
+                                         std::vector<std::string> effects)
+    : seen_(seen), fit_(fit), effects_(std::move(effects)) {
+  const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
+  if (!fit.values.empty()) {
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_at(*fit.model, fit.values));
+    basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
+  } else {
+    basis_.resize(rows, 0);
+  }
+  for (const std::string& name : effects_) {
+    const EffectCard& card = find_effect(name).card;
+    for (const EffectChoice& small : small_effects(card)) add_sensitivity(card, small);
+  }
+}
+
+void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectChoice& small) {
+  const auto moved = residuals_with(seen_, fit_, small);
+  if (!moved) return;
+  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
+  const double reach = std::isfinite(card.null) ? small.size - card.null : small.size;
+  const Eigen::VectorXd change = (*moved - r) / reach;
+  EffectSensitivity sensitivity{.effect = small, .sensitivity = project(change)};
+  const double whole = change.squaredNorm(), left = sensitivity.sensitivity.squaredNorm();
+  if (!(std::sqrt(left) * card.prior_scale > invisible) || !(left > fully_absorbed * whole)) return;
+  sensitivity.absorbed = 1.0 - left / whole;
+  sensitivities_.push_back(std::move(sensitivity));
+}
+
+void EffectSensitivities::look_for_starts() {
+  for (const std::string& name : effects_)
+    for (const EffectChoice& finite : finite_effects(find_effect(name).card))
+      if (const auto moved = residuals_with(seen_, fit_, finite))
+        probes_.push_back({.effect = finite, .chi_square = project(*moved).squaredNorm()});
+  std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
+    return a.chi_square < b.chi_square;
+  });
+}
+
+std::vector<EffectChoice> EffectSensitivities::starts(const std::string& name,
+                                                      std::size_t count) const {
+  std::vector<EffectChoice> best;
+  for (const EffectProbe& probe : probes_)
+    if (probe.effect.name == name && best.size() < count) best.push_back(probe.effect);
+  return best;
+}
+
+double EffectSensitivities::best_probe(const std::string& name) const {
+  for (const EffectProbe& probe : probes_)
+    if (probe.effect.name == name) return probe.chi_square;
+  return std::numeric_limits<double>::infinity();
+}
+
+Eigen::VectorXd EffectSensitivities::project(const Eigen::VectorXd& column) const {
+  return column - basis_ * (basis_.transpose() * column);
+}
+
+std::vector<EffectScore> EffectSensitivities::scores() const {
+  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(),
+                                            static_cast<Eigen::Index>(fit_.residuals.size()));
+  std::vector<EffectScore> scores;
+  for (const EffectSensitivity& d : sensitivities_) {
+    const EffectCard& card = find_effect(d.effect.name).card;
+    const double square = d.sensitivity.squaredNorm();
+    EffectScore score{.name = d.effect.name,
+                      .size = -d.sensitivity.dot(r) / square,
+                      .size_error = d.size_error()};
+    const double sign = card.null <= card.range.lowest    ? 1.0
+                        : card.null >= card.range.highest ? -1.0
+                                                          : 0.0;
+    const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
+    score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
+    const auto known = std::find_if(scores.begin(), scores.end(),
+                                    [&](const EffectScore& s) { return s.name == score.name; });
+    if (known == scores.end())
+      scores.push_back(score);
+    else if (score.gain_chi_square > known->gain_chi_square)
+      *known = score;
+  }
+  return scores;
+}
+
+double EffectSensitivities::threshold(double level, std::uint64_t seed) const {
+  const auto count = static_cast<Eigen::Index>(sensitivities_.size());
+  if (count == 0) return 0.0;
+  Eigen::MatrixXd units(sensitivities_.front().sensitivity.size(), count);
+  for (Eigen::Index j = 0; j < count; ++j)
+    units.col(j) = sensitivities_[static_cast<std::size_t>(j)].sensitivity.normalized();
+  const double largest = quantile_of_largest(units, level, seed);
+  return largest * largest;
+}
+
+EffectSensitivities::Cosines EffectSensitivities::cosines() const {
+  std::vector<const EffectSensitivity*> chosen;
+  for (const EffectSensitivity& d : sensitivities_) {
+    const auto known = std::find_if(chosen.begin(), chosen.end(), [&](const EffectSensitivity* c) {
+      return c->effect.name == d.effect.name;
+    });
+    if (known == chosen.end())
+      chosen.push_back(&d);
+    else if (d.absorbed < (*known)->absorbed)
+      *known = &d;
+  }
+  Cosines result;
+  const auto count = static_cast<Eigen::Index>(chosen.size());
+  result.cosine = Eigen::MatrixXd::Identity(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    result.names.push_back(chosen[static_cast<std::size_t>(i)]->effect.name);
+    for (Eigen::Index j = 0; j < i; ++j)
+      result.cosine(i, j) = result.cosine(j, i) =
+          chosen[static_cast<std::size_t>(i)]->sensitivity.normalized().dot(
+              chosen[static_cast<std::size_t>(j)]->sensitivity.normalized());
+  }
+  return result;
+}
+
+}  // namespace rebound

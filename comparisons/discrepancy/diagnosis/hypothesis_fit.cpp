@@ -1,0 +1,140 @@
+#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "comparisons/inference/calibration/differences.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
+const CalibrationControls search_controls{
+    .relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+
+HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
+                       const HypothesisFit* near, const RunControl& control) {
+  HypothesisFit fit;
+  fit.hypothesis = hypothesis;
+  const auto model = std::make_shared<const JointModel>(seen, hypothesis);
+  fit.model = model;
+  CalibrationProblem problem = model->problem();
+  problem.controls = search_controls;
+  if (near) {
+    const std::vector<double> starts = values_from(*near, *model);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      CalibrationParameter& unknown = problem.parameters[i];
+      unknown.start = std::clamp(starts[i], unknown.lowest, unknown.highest);
+    }
+  }
+  if (problem.parameters.empty()) {
+    fit.residuals = model->residuals({});
+  } else {
+    fit.search = calibrate(problem, control);
+    for (const auto& estimate : fit.search.estimates) fit.values.push_back(estimate.value);
+    fit.residuals = model->residuals(fit.values);
+  }
+  fit.effects = model->effects_at(fit.values);
+  const std::size_t data = model->rows().size();
+  for (std::size_t i = 0; i < fit.residuals.size(); ++i) {
+    const double square = fit.residuals[i] * fit.residuals[i];
+    fit.chi_square += square;
+    if (i < data) fit.data_chi_square += square;
+  }
+  for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
+    fit.effect_unknowns += static_cast<int>(model->unknowns_of_effect(k).size());
+  const auto priors = static_cast<int>(fit.residuals.size() - data);
+  fit.freedom =
+      std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));
+  fit.information_criterion =
+      fit.chi_square + fit.effect_unknowns * std::log(static_cast<double>(data));
+  return fit;
+}
+
+}  // namespace
+
+std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model) {
+  std::map<std::string, double> fitted;
+  for (std::size_t i = 0; i < fit.values.size(); ++i)
+    fitted[fit.model->unknowns()[i].name] = fit.values[i];
+  std::vector<double> values = model.start();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const auto found = fitted.find(model.unknowns()[i].name); found != fitted.end())
+      values[i] = found->second;
+  return values;
+}
+
+HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
+                             const RunControl& control) {
+  return fit_from(seen, hypothesis, nullptr, control);
+}
+
+HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
+                           const std::vector<EffectChoice>& starts, const RunControl& control) {
+  std::optional<HypothesisFit> best;
+  Error failure(ExitCode::solver_failed, "the effect has no numbers to start from");
+  for (const EffectChoice& start : starts) {
+    Hypothesis one = near.hypothesis;
+    one.effects = near.effects;
+    one.effects.push_back(start);
+    try {
+      HypothesisFit fit = fit_from(seen, one, &near, control);
+      if (!best || fit.chi_square < best->chi_square) best = std::move(fit);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed) throw;
+      failure = error;
+    }
+  }
+  if (!best) throw failure;
+  return std::move(*best);
+}
+
+HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) {
+  Hypothesis hypothesis = fit.hypothesis;
+  hypothesis.effects = fit.effects;
+  const JointModel model(unseen, hypothesis);
+  std::vector<double> values = values_from(fit, model);
+  const std::vector<double> unseen_starts = model.start();
+  const auto& own = model.shot_nuisances();
+  for (const std::size_t index : own) values[index] = unseen_starts[index];
+  if (!own.empty()) {
+    CalibrationProblem problem;
+    for (const std::size_t index : own) problem.parameters.push_back(model.unknowns()[index]);
+    // Priors are among the residuals, those of what stays as fitted too.
+    for (CalibrationParameter& unknown : problem.parameters) unknown.prior.reset();
+    problem.residuals = [&](const std::vector<double>& free) {
+      std::vector<double> all = values;
+      for (std::size_t k = 0; k < own.size(); ++k) all[own[k]] = free[k];
+      return model.residuals(all);
+    };
+    problem.noise = NoiseKnowledge::known;
+    problem.controls = search_controls;
+    const CalibrationResult found = calibrate(problem);
+    for (std::size_t k = 0; k < own.size(); ++k) values[own[k]] = found.estimates[k].value;
+  }
+  const std::vector<double> residuals = model.residuals(values);
+  HeldOutGap gap;
+  const std::size_t data = model.rows().size();
+  for (std::size_t i = 0; i < data; ++i)
+    gap.reduced_chi_square += residuals[i] * residuals[i] / static_cast<double>(data);
+  for (std::size_t i = 0; i < unseen.shots.size(); ++i)
+    gap.force.push_back(unseen.shots[i].has_history()
+                            ? model.force_at(values, i, unseen.shots[i].trace.time)
+                            : std::vector<double>{});
+  return gap;
+}
+
+Eigen::MatrixXd jacobian_at(const JointModel& model, const std::vector<double>& values) {
+  const ResidualsWithJacobian found = with_differences(
+      model.unknowns(), [&](const std::vector<double>& x) { return model.residuals(x); }, values,
+      difference);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(found.slopes.data(),
+                                    static_cast<Eigen::Index>(found.residuals.size()),
+                                    static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace rebound

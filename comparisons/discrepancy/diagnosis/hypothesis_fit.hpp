@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/joint_model.hpp"
+#include "lumped/problem/run_control.hpp"
+
+namespace rebound {
+
+/// A hypothesis fitted to all shots at once, and what is left over.
+struct HypothesisFit {
+  Hypothesis hypothesis;  ///< as it was started
+  std::shared_ptr<const JointModel> model;
+  std::vector<double> values;     ///< of the unknowns, at the optimum
+  std::vector<double> residuals;  ///< data rows, then priors
+  CalibrationResult search;
+  std::vector<EffectChoice> effects;  ///< with fitted numbers
+  double chi_square = 0.0;            ///< Σ r² over data and priors
+  double data_chi_square = 0.0;       ///< Σ r² over the data alone
+  int freedom = 0;                    ///< data − unknowns without a prior
+  int effect_unknowns = 0;            ///< fitted numbers of effects
+  /// χ² + k ln N: k the effects' unknowns, N the data.
+  double information_criterion = 0.0;
+
+  std::size_t data_rows() const { return model->rows().size(); }
+  double reduced_chi_square() const { return data_chi_square / freedom; }
+};
+
+/// Values of a model's unknowns: as fitted for those of the same name, as the
+/// model starts for all others.
+std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model);
+
+/// Fits a hypothesis, effects included, from its numbers as they stand.
+/// Errors: as JointModel and calibrate().
+HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
+                             const RunControl& control = {});
+
+/// Fits what `near` has fitted and one effect more, from each of the given
+/// starts of that effect; all other unknowns start as in `near`. The best
+/// search is kept.
+/// Errors: as above; Error(solver_failed) when no start has an answer.
+HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
+                           const std::vector<EffectChoice>& starts, const RunControl& control = {});
+
+/// What is left of shots that the fit never saw: physics and the instrument's
+/// common numbers stay as fitted, start of contact and speed of each new shot
+/// are found within their priors.
+struct HeldOutGap {
+  double reduced_chi_square = 0.0;
+  std::vector<std::vector<double>> force;  ///< predicted, per shot, at the data's instants
+};
+HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit);
+
+/// Central differences of the residuals at the optimum, [rows][unknowns].
+Eigen::MatrixXd jacobian_at(const JointModel& model, const std::vector<double>& values);
+
+}  // namespace rebound

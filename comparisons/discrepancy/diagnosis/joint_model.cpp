@@ -1,0 +1,194 @@
+#include "comparisons/discrepancy/diagnosis/joint_model.hpp"
+
+#include <algorithm>
+
+#include "comparisons/inference/calibration/effective_residuals.hpp"
+#include "comparisons/inference/calibration/residual_slopes.hpp"
+#include "comparisons/inference/calibration/whitening.hpp"
+#include "comparisons/io/dataset/contact_window.hpp"
+#include "comparisons/models/instrument/reported_force.hpp"
+#include "comparisons/models/instrument/ring_down.hpp"
+#include "lumped/integration/simulate.hpp"
+#include "lumped/laws/make_law.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr LumpedControls impact_controls{.relative_tolerance = 1e-8, .samples = 401};
+constexpr std::size_t most_kept = 256;  // impacts a shot
+constexpr double first_rise = 0.05;     // of the peak: finds the start of contact
+
+/// Instant at which a force first rises above a share of its peak.
+double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
+  const double level = first_rise * *std::max_element(force.begin(), force.end());
+  std::size_t i = 0;
+  while (force[i] < level) ++i;
+  return time[i];
+}
+
+}  // namespace
+
+JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis)
+    : seen_(seen),
+      hypothesis_(hypothesis),
+      law_(hypothesis.believed, seen.balls, unknowns_),
+      effects_(hypothesis.effects, unknowns_),
+      nuisances_(seen.shots.size()),
+      impacts_(seen.shots.size()) {
+  for (std::size_t i = 0; i < seen.shots.size(); ++i) {
+    for (const double time : seen.shots[i].trace.time)
+      rows_.push_back({i, ObservedQuantity::force, time});
+    for (const ScalarQuantity& scalar : scalar_quantities)
+      if ((seen.shots[i].*scalar.measured).has_error()) rows_.push_back({i, scalar.what, 0.0});
+  }
+  nuisances_.add_stated(seen, unknowns_);
+  add_shots();
+  estimate_starts();
+}
+
+void JointModel::add_shots() {
+  for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
+    const std::size_t before = nuisances_.of_shots().size();
+    nuisances_.add_stated_of_shot(seen_, i, unknowns_);
+    if (seen_.shots[i].has_history()) shot_nuisances_.push_back(add_start(i));
+    for (std::size_t k = before; k < nuisances_.of_shots().size(); ++k)
+      shot_nuisances_.push_back(nuisances_.of_shots()[k]);
+  }
+}
+
+std::size_t JointModel::add_start(std::size_t shot) {
+  const std::vector<double>& time = seen_.shots[shot].trace.time;
+  const double span = time.back() - time.front();
+  return starts_[shot] = nuisances_.add(find_nuisance("trigger"),
+                                        {.name = "start, " + seen_.shots[shot].label,
+                                         .unit = "s",
+                                         .start = 0.0,
+                                         .lowest = time.front() - span,
+                                         .highest = time.back(),
+                                         .scale = 1e-3 * span},
+                                        {shot}, unknowns_);
+}
+
+void JointModel::estimate_starts() {
+  std::vector<double> values = start();
+  for (const auto& [shot, place] : starts_) {
+    CalibrationParameter& unknown = unknowns_[place];
+    const Trace& data = seen_.shots[shot].trace;
+    unknown.start = data.time.front();  // anywhere; the impact does not ask
+    values[place] = unknown.start;
+    const Trace& model = impact(values, shot).trace;
+    unknown.start =
+        std::clamp(rise_time(data.time, data.force) - rise_time(model.time, model.force),
+                   unknown.lowest, unknown.highest);
+  }
+}
+
+std::vector<double> JointModel::start() const {
+  std::vector<double> values;
+  for (const auto& unknown : unknowns_) values.push_back(unknown.start);
+  return values;
+}
+
+MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
+  MeasurementChain chain;
+  chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
+  apply_effects(effects_at(values), chain);
+  nuisances_.apply(values, shot, chain);
+  return chain;
+}
+
+LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::size_t shot) const {
+  const MeasuredImpact& observed = seen_.shots[shot];
+  const MeasurementChain chain = chain_at(values, shot);
+  LumpedProblem problem{.sphere = observed.sphere,
+                        .impact = observed.impact,
+                        .model = believed_at(values, observed.ball),
+                        .controls = impact_controls};
+  problem.sphere.mass /= 1.0 + chain.mass_error;
+  if (!problem.model.damping_formula.empty() && observed.restitution.value)
+    problem.model.restitution = observed.restitution.value;
+  apply_effects(physical_effects(effects_at(values)), problem);
+  // Numbers fitted at a nominal speed belong to the shot, whatever its true speed.
+  problem.model.parameters = resolve_parameters(problem.model, problem.impact, problem.sphere);
+  problem.model.at_speed.clear();
+  problem.model.restitution.reset();
+  problem.model.damping_formula.clear();
+  problem.model.exact_damping_share = 0.0;
+  problem.impact.speed /= 1.0 + chain.speed_error;
+  return problem;
+}
+
+const LumpedResult& JointModel::impact(const std::vector<double>& values, std::size_t shot) const {
+  // The impact itself does not depend on gain, baseline or the clock.
+  std::vector<double> key;
+  for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
+    key.push_back(values[factor]);
+  for (std::size_t k = 0; k < effects_.count(); ++k)
+    for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+  for (const NuisancePlace& place : nuisances_.places(shot))
+    if (place.kind->moves != Direction::Of::nothing) key.push_back(values[place.unknown]);
+  auto& kept = impacts_[shot];
+  if (const auto found = kept.find(key); found != kept.end()) return found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  return kept.emplace(std::move(key), simulate_fast(problem_at(values, shot))).first->second;
+}
+
+double JointModel::first_touch(const std::vector<double>& values, std::size_t shot) const {
+  const auto found = starts_.find(shot);
+  return found == starts_.end() ? 0.0 : values[found->second];
+}
+
+std::vector<double> JointModel::force_at(const std::vector<double>& values, std::size_t shot,
+                                         const std::vector<double>& time) const {
+  const LumpedResult& result = impact(values, shot);
+  const MeasurementChain chain = chain_at(values, shot);
+  const Plate plate = problem_at(values, shot).model.mechanisms.plate;
+  Trace force = with_ring_down(result.trace, plate,
+                               time.back() - chain.trigger_shift - result.trace.time.back());
+  if (hypothesis_.model_discrepancy)
+    force = hypothesis_.model_discrepancy->added_to(force, result.scalars, seen_.shots[shot].ball,
+                                                    seen_.shots[shot].impact.speed);
+  return reported_force(force, chain, time);
+}
+
+double JointModel::scalar_at(const std::vector<double>& values, std::size_t shot,
+                             const ScalarQuantity& scalar) const {
+  const LumpedResult& result = impact(values, shot);
+  const double itself = result.scalars.*scalar.modelled;
+  if (scalar.what == ObservedQuantity::contact_time)
+    return reported_contact_time(result.trace, itself, chain_at(values, shot).contact_threshold);
+  if (scalar.what == ObservedQuantity::peak_force) return reported(itself, chain_at(values, shot));
+  return itself;
+}
+
+std::vector<double> JointModel::data_residuals(const std::vector<double>& values) const {
+  std::vector<double> residuals;
+  residuals.reserve(rows_.size() + unknowns_.size());
+  for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
+    const MeasuredImpact& shot = seen_.shots[i];
+    if (shot.has_history()) {
+      const auto r = whitened(shot, force_at(values, i, shot.trace.time));
+      residuals.insert(residuals.end(), r.begin(), r.end());
+    }
+    for (const ScalarQuantity& scalar : scalar_quantities)
+      if (const Measured& measured = shot.*scalar.measured; measured.has_error())
+        residuals.push_back((scalar_at(values, i, scalar) - *measured.value) /
+                            *measured.uncertainty);
+  }
+  return residuals;
+}
+
+std::vector<double> JointModel::residuals(const std::vector<double>& values) const {
+  std::vector<double> residuals = data_residuals(values);
+  append_priors(unknowns_, values, residuals);
+  return residuals;
+}
+
+CalibrationProblem JointModel::problem() const {
+  return {.parameters = unknowns_,
+          .residuals = [this](const std::vector<double>& x) { return data_residuals(x); },
+          .noise = NoiseKnowledge::known,
+          .controls = {}};
+}
+
+}  // namespace rebound

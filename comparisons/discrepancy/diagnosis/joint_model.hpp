@@ -1,0 +1,108 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/inference/calibration/effect_unknowns.hpp"
+#include "comparisons/inference/calibration/law_factors.hpp"
+#include "comparisons/inference/calibration/nuisances.hpp"
+#include "comparisons/inference/calibration/observations.hpp"
+#include "lumped/problem/result.hpp"
+
+namespace rebound {
+
+/// A model of the data: what is believed, effects beside it with the values a
+/// fit starts from, and whether the distance between the tiers is added.
+struct Hypothesis {
+  LumpedModel believed;
+  std::vector<EffectChoice> effects;
+  /// FE minus lumped for the believed model; null: none.
+  std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
+};
+
+/// What a residual row is about.
+struct DataRow {
+  std::size_t shot = 0;
+  ObservedQuantity what = ObservedQuantity::force;
+  double time = 0.0;  ///< of a force sample, by the data's clock [s]
+};
+
+/// One lumped model of all shots at once, composed of calibration's pieces.
+///
+///   unknowns   LawFactors, EffectUnknowns, NuisanceUnknowns as the data state
+///              them, and the start of every record
+///   rows       whitened (model − data), then priors
+///
+/// A record's start is a delay without a prior, found where data and model first
+/// rise to the same share of their peaks. Damping that is given by a restitution
+/// and a formula follows from the restitution measured at each shot, where there
+/// is one.
+///
+/// The believed numbers are starting points; nothing of them is held but what
+/// the formula or the ratios hold.
+/// Caution: not to be shared between threads; the impacts it has run are kept.
+/// Errors: Error(bad_input) for a model without numbers at one of the speeds,
+///         or an effect that has no form for it; Error(solver_failed) where
+///         an impact has no answer.
+class JointModel {
+ public:
+  JointModel(const Observations& seen, const Hypothesis& hypothesis);
+
+  const std::vector<CalibrationParameter>& unknowns() const { return unknowns_; }
+  std::vector<double> start() const;
+  /// Rows of the data alone.
+  std::vector<double> data_residuals(const std::vector<double>& values) const;
+  /// Rows of data, then one row per prior.
+  std::vector<double> residuals(const std::vector<double>& values) const;
+  /// The fit of all unknowns; priors are those of the unknowns.
+  CalibrationProblem problem() const;
+
+  /// Rows of data come first, then one row per prior.
+  const std::vector<DataRow>& rows() const { return rows_; }
+
+  /// Indices of unknowns that belong to one shot: start of contact, speed.
+  const std::vector<std::size_t>& shot_nuisances() const { return shot_nuisances_; }
+  /// Unknowns of effect k: size first (absent for a switch), then parameters.
+  const std::vector<std::size_t>& unknowns_of_effect(std::size_t k) const {
+    return effects_.places(k);
+  }
+
+  std::vector<EffectChoice> effects_at(const std::vector<double>& values) const {
+    return effects_.at(values);
+  }
+  /// The believed model with the numbers of one ball moved to these values.
+  LumpedModel believed_at(const std::vector<double>& values, std::size_t ball) const {
+    return law_.at(values, ball);
+  }
+  /// The impact of a shot as these values say it was.
+  LumpedProblem problem_at(const std::vector<double>& values, std::size_t shot) const;
+  /// The reported force of a shot at given instants of its clock.
+  std::vector<double> force_at(const std::vector<double>& values, std::size_t shot,
+                               const std::vector<double>& time) const;
+  /// First touch of a shot by its own clock [s]; zero without a history.
+  double first_touch(const std::vector<double>& values, std::size_t shot) const;
+  const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
+
+ private:
+  void add_shots();
+  std::size_t add_start(std::size_t shot);
+  void estimate_starts();
+  MeasurementChain chain_at(const std::vector<double>& values, std::size_t shot) const;
+  double scalar_at(const std::vector<double>& values, std::size_t shot,
+                   const ScalarQuantity& scalar) const;
+
+  const Observations& seen_;
+  Hypothesis hypothesis_;
+  std::vector<CalibrationParameter> unknowns_;
+  LawFactors law_;
+  EffectUnknowns effects_;
+  NuisanceUnknowns nuisances_;
+  std::vector<DataRow> rows_;
+  std::map<std::size_t, std::size_t> starts_;  ///< unknown of each shot with a history
+  std::vector<std::size_t> shot_nuisances_;
+  mutable std::vector<std::map<std::vector<double>, LumpedResult>> impacts_;
+};
+
+}  // namespace rebound

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/inference/calibration/observations.hpp"
+#include "fem/interface/modules.hpp"
+#include "lumped/problem/result.hpp"
+#include "lumped/problem/run_control.hpp"
+#include "lumped/problem/trace.hpp"
+
+namespace rebound {
+
+struct HypothesisFit;
+
+/// What FE adds to the lumped model of one impact when nothing is hidden, free
+/// of scale.
+struct DiscrepancyCurve {
+  std::size_t ball = 0;
+  double speed = 0.0;        ///< nominal [m/s]
+  double first_phase = 0.0;  ///< t over the lumped contact time at the first point
+  double phase_step = 0.0;
+  std::vector<double> force;  ///< (FE − lumped) / peak force of the lumped model
+
+  /// Linear between points, zero outside.
+  double at(double phase) const;
+};
+
+/// FE minus lumped for the believed model, by ball and speed.
+///
+/// A lumped model knows neither waves nor finite strain: without this a
+/// perfect FE experiment would grow a false effect.
+struct ModelDiscrepancy {
+  std::vector<DiscrepancyCurve> curves;
+  /// What two meshes of the fem_fit differ by, rms over the contact, over the peak
+  /// force: the part of the error budget that is FE's own [-].
+  double numerical_uncertainty = 0.0;
+  std::vector<int> cells;  ///< of the two meshes, of the last ball
+
+  /// A lumped force history with the gap of that ball and speed added, from a
+  /// tenth of the contact time before first touch to three tenths after it, or
+  /// as far as the history goes.
+  /// Errors: Error(bad_input) for a speed that has no curve.
+  Trace added_to(const Trace& lumped, const ImpactScalars& scalars, std::size_t ball,
+                 double speed) const;
+};
+
+/// The user's own mesh in place of the two mapped ones: it and its refinement; empty: none.
+struct OwnMesh {
+  std::string file;
+};
+
+/// Makes the fitted FE model of a believed lumped model and measures their distance.
+///
+///   1 the fitted FE model, fitted to the histories in `seen` (fit_fem_model)
+///   2 its force histories at every speed of `all`
+///   3 the lumped model refitted to those; what is left is the gap
+///
+/// Caution: the gap's shape is taken as independent of the numbers of the
+///          model.
+/// Errors: those of the fits and of FE; Error(solver_failed) without a history.
+ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
+                                           const HypothesisFit& fit, const OwnMesh& own,
+                                           const RunControl& control);
+
+/// Data whose noise holds the numerical uncertainty of FE as well.
+Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepancy& gap);
+
+}  // namespace rebound

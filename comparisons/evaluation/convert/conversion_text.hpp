@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/evaluation/convert/conversion.hpp"
+#include "comparisons/io/results/json.hpp"
+
+namespace rebound {
+
+Json to_json(const ConversionRequest& request, const ConversionTable& table);
+std::string to_text(const ConversionRequest& request, const ConversionTable& table);
+
+}  // namespace rebound

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <ceres/cost_function.h>
+
+#include <exception>
+#include <vector>
+
+#include "comparisons/inference/calibration/calibration_problem.hpp"
+
+namespace rebound {
+
+/// What a search sees of a calibration: residuals and Jacobian, in the scaled unknowns
+/// y = x / scale.
+///
+/// The Jacobian is the model's own where it has one; then residuals come with it and are
+/// kept, since a point that is accepted is asked for both. Otherwise central differences,
+/// one-sided where a bound is nearer than a step or where
+/// the model has no answer on one side. Ceres' own numeric derivatives step
+/// relative to the value, which fails at zero and does not respect bounds.
+class CalibrationCost final : public ceres::CostFunction {
+ public:
+  CalibrationCost(const CalibrationProblem& problem, int residuals);
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override;
+
+  /// Did the model have an answer on one side only, the last time the
+  /// derivative by this parameter was taken?
+  bool at_edge(std::size_t parameter) const { return edge_[parameter]; }
+  /// Takes one difference a parameter at y, to see where the model has no answer: needed
+  /// where the Jacobian was the model's own and the search met points without answer.
+  void look_for_edges(const std::vector<double>& y) const;
+  bool met_no_answer() const { return met_no_answer_; }
+
+  int evaluations() const { return evaluations_; }
+  /// An error other than "no answer here", to be thrown once Ceres has returned.
+  std::exception_ptr failure() const { return failure_; }
+
+ private:
+  /// Residuals at y; false where the model has no answer.
+  bool residuals_at(const std::vector<double>& y, std::vector<double>& residuals) const;
+  /// Both at y, cached; false where the model has no answer.
+  bool with_jacobian_at(const std::vector<double>& y) const;
+  /// Calls the model; false where it has no answer. Other errors are kept for later.
+  template <class Model>
+  bool answered(const std::vector<double>& y, const Model& model) const;
+  bool difference(std::vector<double>& y, std::size_t j, const std::vector<double>& centre,
+                  std::vector<double>& slope) const;
+
+  const CalibrationProblem& problem_;
+  mutable int evaluations_ = 0;
+  mutable std::vector<bool> edge_;
+  /// Ceres asks for the Jacobian where it has just had the residuals.
+  mutable std::vector<double> last_y_, last_residuals_, last_slopes_;
+  mutable bool met_no_answer_ = false;
+  mutable std::exception_ptr failure_;
+};
+
+}  // namespace rebound

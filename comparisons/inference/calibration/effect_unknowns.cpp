@@ -1,0 +1,74 @@
+#include "comparisons/inference/calibration/effect_unknowns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+constexpr double next_to_null = 0.01;      // of the prior scale
+constexpr double parameter_reach = 100.0;  // a factor either way of a fitted parameter's default
+
+CalibrationParameter size_of(const EffectCard& card, double start) {
+  // A plate or a branch next to nothing is stiff and cannot be told from
+  // nothing: searches keep off a one-sided null.
+  const double least = card.null <= card.range.lowest ? card.null + next_to_null * card.prior_scale
+                                                      : card.range.lowest;
+  return {.name = card.name,
+          .unit = "SI",
+          .start = std::max(start, least),
+          .lowest = least,
+          .highest = card.range.highest,
+          .scale = card.prior_scale};
+}
+
+CalibrationParameter logarithm_of(const EffectCard& card, const EffectParameterCard& parameter,
+                                  const EffectChoice& choice) {
+  const auto given = choice.parameters.find(parameter.name);
+  const double start = given != choice.parameters.end() ? given->second : parameter.default_value;
+  const double lowest = std::max(parameter.range.lowest, parameter.default_value / parameter_reach);
+  const double highest =
+      std::min(parameter.range.highest, parameter.default_value * parameter_reach);
+  return {.name = card.name + " " + parameter.name,
+          .unit = "ln SI",
+          .start = std::log(std::clamp(start, lowest, highest)),
+          .lowest = std::log(lowest),
+          .highest = std::log(highest),
+          .scale = 1.0};
+}
+
+}  // namespace
+
+EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects,
+                               std::vector<CalibrationParameter>& unknowns)
+    : effects_(std::move(effects)) {
+  for (const EffectChoice& choice : effects_) {
+    const EffectCard& card = find_effect(choice.name).card;
+    auto& own = places_.emplace_back();
+    const auto add = [&](const CalibrationParameter& unknown) {
+      own.push_back(unknowns.size());
+      unknowns.push_back(unknown);
+    };
+    if (card.is_switch) continue;
+    add(size_of(card, choice.size));
+    for (const EffectParameterCard& parameter : card.parameters)
+      if (parameter.fitted) add(logarithm_of(card, parameter, choice));
+  }
+}
+
+std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) const {
+  std::vector<EffectChoice> effects = effects_;
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    const auto& own = places_[k];
+    if (own.empty()) continue;
+    effects[k].size = values[own[0]];
+    std::size_t next = 1;
+    for (const auto& parameter : find_effect(effects[k].name).card.parameters)
+      if (parameter.fitted)
+        effects[k].parameters[parameter.name] = std::clamp(
+            std::exp(values[own[next++]]), parameter.range.lowest, parameter.range.highest);
+  }
+  return effects;
+}
+
+}  // namespace rebound

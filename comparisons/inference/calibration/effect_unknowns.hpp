@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "comparisons/inference/calibration/calibration_problem.hpp"
+#include "comparisons/models/effects/effect.hpp"
+
+namespace rebound {
+
+/// Effects as unknowns: the size of each and ln of its further fitted parameters, one value for
+/// all balls. A switch has none.
+class EffectUnknowns {
+ public:
+  /// Appends its unknowns; searches start from the numbers of `effects`.
+  EffectUnknowns(std::vector<EffectChoice> effects, std::vector<CalibrationParameter>& unknowns);
+
+  /// The effects with these values.
+  std::vector<EffectChoice> at(const std::vector<double>& values) const;
+  /// Unknowns of effect k: size first (absent for a switch), then parameters.
+  const std::vector<std::size_t>& places(std::size_t k) const { return places_[k]; }
+  std::size_t count() const { return places_.size(); }
+
+ private:
+  std::vector<EffectChoice> effects_;
+  std::vector<std::vector<std::size_t>> places_;
+};
+
+}  // namespace rebound

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/io/dataset/measured_impact.hpp"
+
+namespace rebound {
+
+/// A ball that was hit, whichever data sets it appears in.
+struct Ball {
+  std::string name;  ///< no two are alike
+  Sphere sphere;
+  double mass_uncertainty = 0.0;  ///< one standard deviation [kg]
+};
+
+/// What a joint fit looks at: impacts of one ball or several, and how well they were measured.
+///
+/// A history is fitted where an impact has one, with the noise it states; of the scalars those
+/// with an uncertainty.
+struct Observations {
+  std::vector<Ball> balls;
+  std::vector<MeasuredImpact> shots;  ///< labels: no two are alike
+  double gain_uncertainty = 0.0;      ///< of the force scale, one standard deviation [-]
+  std::string noise_from;             ///< in words, e.g. "stated by the data set"
+  std::vector<std::string> warnings;  ///< what was assumed where nothing was stated
+  std::vector<std::string> missing;   ///< what would have been needed; empty: enough
+};
+
+/// The shots for which `keep` says yes, with all balls.
+Observations subset(const Observations& all, const std::vector<bool>& keep);
+
+/// As the results of a diagnosis name it, e.g. "contact-time".
+std::string name_of(ObservedQuantity observable);
+
+}  // namespace rebound

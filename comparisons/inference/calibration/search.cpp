@@ -1,0 +1,69 @@
+#include "comparisons/inference/calibration/search.hpp"
+
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <glog/logging.h>
+
+#include <exception>
+
+namespace rebound {
+
+namespace {
+
+/// Stops Ceres when the user asks or the fit is exact, and tells how far it is.
+class ProgressCallback final : public ceres::IterationCallback {
+ public:
+  ProgressCallback(const RunControl& control, const CalibrationControls& controls)
+      : control_(control),
+        iterations_(controls.iterations),
+        exact_(controls.cost_tolerance * controls.cost_tolerance) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (control_.progress) control_.progress(static_cast<double>(summary.iteration) / iterations_);
+    if (control_.interrupted && control_.interrupted()) return ceres::SOLVER_ABORT;
+    if (summary.iteration == 0) first_cost_ = summary.cost;
+    // Where residuals vanish, the share by which the cost changes never gets small.
+    if (summary.cost < exact_ * first_cost_) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    return ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const RunControl& control_;
+  int iterations_;
+  double exact_;  ///< cost over the first one
+  double first_cost_ = 0.0;
+};
+
+}  // namespace
+
+Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, CalibrationCost& cost,
+                    const RunControl& control) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ownership.disable_all_safety_checks = true;  // the cost refuses what is not finite itself
+  ceres::Problem search(ownership);
+  search.AddResidualBlock(&cost, nullptr, y.data());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const auto& p = problem.parameters[i];
+    search.SetParameterLowerBound(y.data(), static_cast<int>(i), p.lowest / p.scale);
+    search.SetParameterUpperBound(y.data(), static_cast<int>(i), p.highest / p.scale);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = problem.controls.iterations;
+  options.function_tolerance = problem.controls.cost_tolerance;
+  options.parameter_tolerance = 1e-10;
+  options.num_threads = 1;
+  ProgressCallback callback(control, problem.controls);
+  options.callbacks.push_back(&callback);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &search, &summary);
+  if (cost.failure()) std::rethrow_exception(cost.failure());
+  const bool converged = summary.termination_type == ceres::CONVERGENCE ||
+                         summary.termination_type == ceres::USER_SUCCESS;
+  return {std::move(y), summary.final_cost, converged,
+          summary.termination_type == ceres::USER_FAILURE};
+}
+
+}  // namespace rebound

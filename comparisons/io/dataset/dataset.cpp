@@ -1,0 +1,13 @@
+#include "comparisons/io/dataset/dataset.hpp"
+
+namespace rebound {
+
+MeasuredImpact completed(const Dataset& dataset, MeasuredImpact shot) {
+  shot.sphere = dataset.sphere;
+  shot.contact_threshold = dataset.instrument.contact_threshold;
+  shot.noise.deviation = dataset.instrument.force_noise.value_or(0.0);
+  shot.deflection = dataset.instrument.deflection;
+  return shot;
+}
+
+}  // namespace rebound

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/io/dataset/measured_impact.hpp"
+
+namespace rebound {
+
+/// The measuring chain. What is absent is unknown, not zero.
+struct Instrument {
+  std::optional<double> force_noise;             ///< one σ per sample [N]
+  std::optional<double> force_gain_uncertainty;  ///< relative, one σ [-]
+  std::optional<double> force_bandwidth;         ///< [Hz]
+  std::optional<double> contact_threshold;       ///< force that starts and ends contact [N]
+  std::optional<double> camera_rate;             ///< [Hz]
+  DeflectionOrigin deflection = DeflectionOrigin::unknown;
+};
+
+/// A slow compression of the whole ball, deflection against force.
+struct ForceDeflectionCurve {
+  std::vector<double> deflection;  ///< [m]
+  std::vector<double> force;       ///< [N]
+};
+
+struct Quasistatic {
+  /// 1: sphere on one plate; 2: between two platens, deflection is the total.
+  int platens = 1;
+  std::string trace_file;
+  std::optional<ForceDeflectionCurve> curve;
+  Measured stiffness;  ///< κ of F = κ x^1.5 [N/m^1.5]
+};
+
+/// Young's modulus of a block cut from the ball, compressed slowly.
+struct BlockTest {
+  Measured modulus;  ///< [Pa]
+};
+
+/// Peaks said to be typical of several balls together, as in a paper's prose.
+/// An order of magnitude, never a measurement of one ball: kept apart from the
+/// shots so that nothing can be fitted to it by mistake.
+struct PooledPeak {
+  double speed = 0.0;       ///< [m/s]
+  double force = 0.0;       ///< [N]
+  double deflection = 0.0;  ///< [m]
+};
+
+/// A ball, an instrument and what was seen with it.
+struct Dataset {
+  std::string name;
+  std::string folder;
+  Sphere sphere;
+  std::optional<double> mass_uncertainty;      ///< [kg]
+  std::optional<double> diameter_uncertainty;  ///< [m]
+  Instrument instrument;
+  std::vector<MeasuredImpact> shots;
+  std::vector<Quasistatic> quasistatic;
+  std::vector<BlockTest> block_tests;
+  std::vector<PooledPeak> pooled_peaks;
+  /// Assumptions behind stated numbers, in words, to be shown with results.
+  std::vector<std::string> notes;
+};
+
+/// A shot with what its data set says of every shot: ball, threshold, noise, where deflections
+/// are from.
+MeasuredImpact completed(const Dataset& dataset, MeasuredImpact shot);
+
+}  // namespace rebound

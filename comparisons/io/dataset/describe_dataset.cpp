@@ -1,0 +1,191 @@
+#include "comparisons/io/dataset/describe_dataset.hpp"
+
+#include "comparisons/io/toml/describe_impact.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr Presence optional = Presence::optional;
+
+/// A scalar `name` and its standard deviation `name_uncertainty`.
+void describe_measured(Visitor& visit, const Key& key, Measured& measured) {
+  Key value = key;
+  value.presence = optional;
+  visit.number(value, measured.value);
+  visit.number({.name = key.name + "_uncertainty",
+                .sentence = "One standard deviation of " + key.name + ".",
+                .presence = optional,
+                .unit = key.unit,
+                .range = above(0.0)},
+               measured.uncertainty);
+}
+
+void describe_sphere(Visitor& visit, Dataset& dataset) {
+  describe(visit, dataset.sphere);
+  visit.number({.name = "mass_uncertainty",
+                .sentence = "One standard deviation of the mass.",
+                .presence = optional,
+                .unit = "g",
+                .range = at_least(0.0)},
+               dataset.mass_uncertainty);
+  visit.number({.name = "diameter_uncertainty",
+                .sentence = "One standard deviation of the diameter.",
+                .presence = optional,
+                .unit = "mm",
+                .range = at_least(0.0)},
+               dataset.diameter_uncertainty);
+}
+
+}  // namespace
+
+void describe(Visitor& visit, Instrument& instrument) {
+  visit.number({.name = "force_noise",
+                .sentence = "One standard deviation of the force per sample.",
+                .presence = optional,
+                .unit = "N",
+                .range = at_least(0.0)},
+               instrument.force_noise);
+  visit.number({.name = "force_gain_uncertainty",
+                .sentence = "Relative uncertainty of the force scale, one standard deviation.",
+                .presence = optional,
+                .range = from_to(0.0, 1.0)},
+               instrument.force_gain_uncertainty);
+  visit.number({.name = "force_bandwidth",
+                .sentence = "Frequency up to which the force is passed.",
+                .presence = optional,
+                .unit = "kHz",
+                .range = above(0.0)},
+               instrument.force_bandwidth);
+  visit.number({.name = "contact_threshold",
+                .sentence = "Force at which contact was taken to start and to end.",
+                .presence = optional,
+                .unit = "N",
+                .range = at_least(0.0)},
+               instrument.contact_threshold);
+  visit.number({.name = "camera_rate",
+                .sentence = "Frames per second of the camera that gave the speeds.",
+                .presence = optional,
+                .unit = "Hz",
+                .range = above(0.0)},
+               instrument.camera_rate);
+  visit.choice({.name = "deflection",
+                .sentence = "A double integral of force over mass, or measured on its own.",
+                .presence = optional},
+               instrument.deflection);
+}
+
+void describe(Visitor& visit, MeasuredImpact& shot) {
+  visit.number({.name = "speed",
+                .sentence = "Approach speed at first touch.",
+                .unit = "m/s",
+                .range = above_up_to(0.0, 1000.0)},
+               shot.impact.speed);
+  visit.number({.name = "speed_uncertainty",
+                .sentence = "One standard deviation of the speed.",
+                .presence = optional,
+                .unit = "m/s",
+                .range = at_least(0.0)},
+               shot.speed_uncertainty);
+  visit.text({.name = "trace",
+              .sentence = "CSV file in this folder: time_s, force_N and, if known, deflection_m.",
+              .presence = optional},
+             shot.trace_file);
+  describe_measured(visit,
+                    {.name = "restitution",
+                     .sentence = "Rebound over approach speed.",
+                     .range = from_to(0.0, 1.0)},
+                    shot.restitution);
+  describe_measured(visit,
+                    {.name = "contact_time",
+                     .sentence = "By the instrument's contact_threshold, if it has one.",
+                     .unit = "ms",
+                     .range = above(0.0)},
+                    shot.contact_time);
+  describe_measured(
+      visit, {.name = "peak_force", .sentence = "Largest force.", .unit = "N", .range = above(0.0)},
+      shot.peak_force);
+  describe_measured(visit,
+                    {.name = "peak_deflection",
+                     .sentence = "Largest deflection of the centre of mass.",
+                     .unit = "mm",
+                     .range = above(0.0)},
+                    shot.peak_deflection);
+  describe_measured(visit,
+                    {.name = "mean_deflection",
+                     .sentence = "Time mean of that deflection over the contact.",
+                     .unit = "mm",
+                     .range = above(0.0)},
+                    shot.mean_deflection);
+}
+
+void describe(Visitor& visit, Quasistatic& quasistatic) {
+  visit.whole({.name = "platens",
+               .sentence = "1: sphere on one plate; 2: between two platens, deflection is the "
+                           "total.",
+               .range = from_to(1.0, 2.0)},
+              quasistatic.platens);
+  visit.text({.name = "trace",
+              .sentence = "CSV file in this folder: deflection_m, force_N.",
+              .presence = optional},
+             quasistatic.trace_file);
+  describe_measured(visit,
+                    {.name = "stiffness",
+                     .sentence = "Factor of x^1.5 in the force.",
+                     .unit = "N/m^1.5",
+                     .range = above(0.0)},
+                    quasistatic.stiffness);
+}
+
+void describe(Visitor& visit, BlockTest& block) {
+  describe_measured(visit,
+                    {.name = "modulus",
+                     .sentence = "Young's modulus of a block cut from the ball.",
+                     .unit = "MPa",
+                     .range = above(0.0)},
+                    block.modulus);
+}
+
+void describe(Visitor& visit, PooledPeak& peak) {
+  visit.number({.name = "speed", .sentence = "Approach speed.", .unit = "m/s", .range = above(0.0)},
+               peak.speed);
+  visit.number(
+      {.name = "force", .sentence = "Typical largest force.", .unit = "N", .range = above(0.0)},
+      peak.force);
+  visit.number({.name = "deflection",
+                .sentence = "Typical largest deflection.",
+                .unit = "mm",
+                .range = above(0.0)},
+               peak.deflection);
+}
+
+void describe(Visitor& visit, Dataset& dataset) {
+  describe_schema(visit);
+  visit.text({.name = "name", .sentence = "What the data set is called in reports."}, dataset.name);
+  visit.texts({.name = "notes",
+               .sentence = "Assumptions behind the numbers, shown with every result.",
+               .presence = optional},
+              dataset.notes);
+  visit.visit_table({.name = "sphere", .sentence = "The ball."},
+                    [&](Visitor& inner) { describe_sphere(inner, dataset); });
+  visit.table({.name = "instrument",
+               .sentence = "The measuring chain; what is absent is unknown.",
+               .presence = optional},
+              dataset.instrument);
+  visit.list({.name = "shot", .sentence = "One impact; repeat for more.", .presence = optional},
+             dataset.shots);
+  visit.list({.name = "quasistatic",
+              .sentence = "A slow compression of the whole ball; repeat for more.",
+              .presence = optional},
+             dataset.quasistatic);
+  visit.list({.name = "block",
+              .sentence = "A slow compression of a block cut from the ball; repeat for more.",
+              .presence = optional},
+             dataset.block_tests);
+  visit.list({.name = "pooled_peak",
+              .sentence = "Peaks typical of several balls together: an order of magnitude, not a "
+                          "measurement of this ball.",
+              .presence = optional},
+             dataset.pooled_peaks);
+}
+
+}  // namespace rebound

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lumped/problem/impact.hpp"
+#include "lumped/problem/names.hpp"
+#include "lumped/problem/result.hpp"
+#include "lumped/problem/trace.hpp"
+
+namespace rebound {
+
+/// A measured scalar and one standard deviation of it, where one is stated.
+struct Measured {
+  std::optional<double> value;
+  std::optional<double> uncertainty;
+
+  /// Can it be weighed against a model?
+  bool has_error() const { return value && uncertainty && *uncertainty > 0.0; }
+};
+
+/// How a deflection was obtained: whether it holds information of its own.
+enum class DeflectionOrigin {
+  unknown,
+  integrated,   ///< double integral of force over mass: the force again
+  independent,  ///< measured by another instrument
+};
+constexpr auto names_of(DeflectionOrigin) {
+  return names_list<DeflectionOrigin>({{"unknown", DeflectionOrigin::unknown},
+                                       {"integrated", DeflectionOrigin::integrated},
+                                       {"independent", DeflectionOrigin::independent}});
+}
+
+/// Errors of the samples of a force history.
+///
+///   covariance of a block of N neighbours   σ² I + u² 1 1ᵀ
+struct ForceNoise {
+  double deviation = 0.0;  ///< σ, white; 0: unknown [N]
+  /// u, of an error that neighbours share, such as that of a discretised model [N]
+  double shared = 0.0;
+  std::size_t shared_by = 1;  ///< N
+};
+
+/// One impact as it was measured, in a laboratory or on a solver: the one record from the file
+/// to the fit, the diagnosis and the report.
+///
+/// What is absent is unknown, not zero. In a Dataset a shot holds what its file says of it
+/// alone; completed() adds what the data set says of all. contact_alone() brings the trace
+/// under the shared definitions: cut to the contact, time from zero, deflection, scalars.
+struct MeasuredImpact {
+  std::string label{};   ///< as reports name it
+  Sphere sphere{};       ///< the ball that was hit
+  std::size_t ball = 0;  ///< index among the balls of a collection; impacts of one ball share it
+  Impact impact{};       ///< speed as stated, the rule by which contact ends
+  std::optional<double> speed_uncertainty{};  ///< one standard deviation [m/s]
+  std::optional<double> contact_threshold{};  ///< force that starts and ends contact [N]
+
+  std::string trace_file{};  ///< as written; empty: none
+  /// Force over time; deflection where there is one; empty: no history.
+  Trace trace{};
+  DeflectionOrigin deflection = DeflectionOrigin::unknown;
+  ForceNoise noise{};
+
+  Measured restitution{};      ///< [-]
+  Measured contact_time{};     ///< above the threshold where there is one, else by the rule [s]
+  Measured peak_force{};       ///< [N]
+  Measured peak_deflection{};  ///< [m]
+  Measured mean_deflection{};  ///< time mean over the contact [m]
+
+  ImpactScalars scalars{};             ///< of a trace under the shared definitions
+  std::vector<std::string> assumed{};  ///< what nothing states and was assumed, in words
+
+  bool has_history() const { return !trace.time.empty(); }
+};
+
+/// What an impact is seen by.
+enum class ObservedQuantity {
+  force,
+  restitution,
+  contact_time,
+  peak_force,
+  peak_deflection,
+  mean_deflection
+};
+
+/// A scalar of an impact: as measured, and as a model gives it.
+struct ScalarQuantity {
+  ObservedQuantity what;
+  const char* key;  ///< in files
+  Measured MeasuredImpact::*measured;
+  double ImpactScalars::*modelled;
+};
+
+/// All of them: add one here and readers, fits and diagnosis take it up.
+inline constexpr std::array<ScalarQuantity, 5> scalar_quantities{{
+    {ObservedQuantity::restitution, "restitution", &MeasuredImpact::restitution,
+     &ImpactScalars::restitution},
+    {ObservedQuantity::contact_time, "contact_time", &MeasuredImpact::contact_time,
+     &ImpactScalars::contact_time},
+    {ObservedQuantity::peak_force, "peak_force", &MeasuredImpact::peak_force,
+     &ImpactScalars::peak_force},
+    {ObservedQuantity::peak_deflection, "peak_deflection", &MeasuredImpact::peak_deflection,
+     &ImpactScalars::peak_deflection},
+    {ObservedQuantity::mean_deflection, "mean_deflection", &MeasuredImpact::mean_deflection,
+     &ImpactScalars::mean_deflection},
+}};
+
+}  // namespace rebound

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "fem/interface/compression.hpp"
+#include "fem/interface/fem_result.hpp"
+#include "lumped/problem/error.hpp"
+#include "lumped/problem/result.hpp"
+
+namespace rebound {
+
+/// Keys keep the order they were written in.
+using Json = nlohmann::ordered_json;
+
+/// A result under the key names that scripts rely on, with "schema": 1.
+/// Errors: Error(solver_failed) for an incomplete FE result, none of whose
+/// scalars may be reported.
+Json to_json(const LumpedResult& result);
+Json to_json(const FemResult& result);
+Json to_json(const CompressionResult& result);
+
+/// {"schema": 1, "error": {code, message, file, line, column, key, value,
+/// allowed}}, null where a field does not apply.
+Json to_json(const Error& error);
+
+/// Text of a JSON object as it is printed and stored.
+std::string dump(const Json& json);
+
+}  // namespace rebound

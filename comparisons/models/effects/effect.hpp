@@ -1,0 +1,107 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/models/instrument/measurement_chain.hpp"
+#include "fem/interface/fem_problem.hpp"
+#include "lumped/problem/dimension.hpp"
+#include "lumped/problem/lumped_problem.hpp"
+#include "lumped/problem/validity.hpp"
+
+/// A named physical effect (or fault of the measurement) that a model may lack.
+namespace rebound {
+
+/// What kind of thing an effect is. Faults of the measurement are rivals of
+/// every physical explanation and are never left out of a diagnosis.
+enum class EffectKind { elastic, dissipative, inertial, boundary, damping_formula, measurement };
+
+/// A further number of an effect, beside its size.
+struct EffectParameterCard {
+  std::string name;  ///< TOML key, e.g. "relaxation_time"
+  std::string sentence;
+  Dimension dimension;
+  Range range;  ///< SI
+  double default_value = 0.0;
+  bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
+};
+
+/// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,
+/// 0 where either may come of it.
+struct ImpactChange {
+  int peak_force = 0;
+  int contact_time = 0;
+  int restitution = 0;
+};
+
+/// All that is said of one effect, once. File format, help, diagnosis, tests
+/// and report read it.
+struct EffectCard {
+  std::string name;  ///< e.g. "permanent-set"
+  EffectKind kind = EffectKind::elastic;
+  std::string sentence;  ///< what it is, for --help and the report
+  std::string equation;  ///< lumped form in one line
+  Dimension size_dimension;
+  double null = 0.0;         ///< the size at which the effect is absent
+  Range range;               ///< of the size, SI
+  double prior_scale = 0.0;  ///< a size that would surprise nobody; sets steps and starts of fits
+  /// Only null and one are meaningful (a formula is exact or not, gravity acts or
+  /// not); sizes between interpolate, for derivatives.
+  bool is_switch = false;
+  std::vector<EffectParameterCard> parameters;
+  std::string signature;   ///< where it shows
+  std::string experiment;  ///< what would tell it from its rivals
+  std::string source;
+  std::optional<ImpactChange>
+      moves;  ///< what it moves in FE; must be said where it has a form there
+};
+
+/// An effect as a file names it, or as a diagnosis adds it.
+struct EffectChoice {
+  std::string name;
+  double size = 0.0;                         ///< SI, by the card
+  std::map<std::string, double> parameters;  ///< those left out take the card's default
+
+  friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
+};
+
+/// One effect: its card, and how it changes the plain records of each tier.
+/// A null pointer means that the effect has no form there. The functions get a
+/// choice that has been checked, with every parameter, at a size that is not null.
+struct Effect {
+  EffectCard card;
+  void (*to_lumped)(const EffectChoice&, LumpedProblem&) = nullptr;
+  void (*to_fem)(const EffectChoice&, FemProblem&) = nullptr;
+  void (*to_measurement)(const EffectChoice&, MeasurementChain&) = nullptr;
+};
+
+/// Unit in which the size of an effect is written; empty for a plain number. A work per
+/// area reads J/m^2, where a stiffness of the same dimension reads N/m.
+std::string size_unit(const EffectCard& card);
+
+/// The list of effects.inc, in the order of effects that a report shows.
+const std::vector<Effect>& all_effects();
+
+/// Names of the list, in its order.
+std::vector<std::string> effect_names();
+
+/// Errors: Error(bad_input) with the names there are.
+const Effect& find_effect(const std::string& name);
+
+/// Applies effects one after the other; each edits plain records only. At its
+/// null size an effect leaves the record bit-identical.
+/// Errors: Error(bad_input) with the key path "model.effect[i]…" for an unknown effect or
+/// parameter, a size or
+///         parameter out of range, an effect without a form in this tier, one
+///         given twice, or one whose requirement the problem does not meet.
+void apply_effects(const std::vector<EffectChoice>& effects, LumpedProblem& problem);
+void apply_effects(const std::vector<EffectChoice>& effects, FemProblem& problem);
+/// Applies those that are faults of the measurement; the others are passed over.
+void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& chain);
+
+/// Those that act on the impact itself, without faults of the measurement.
+std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects);
+
+}  // namespace rebound

@@ -1,0 +1,119 @@
+#include "comparisons/models/effects/effect.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "comparisons/models/effects/check_effect.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+#define REBOUND_EFFECT(name) Effect name##_effect();
+#include "comparisons/models/effects/effects.inc"
+#undef REBOUND_EFFECT
+
+namespace {
+
+std::string path_of(std::size_t index) {
+  return "model.effect[" + std::to_string(index) + "]";
+}
+
+/// Errors of one effect's own requirement, with the place in the list added.
+template <class Record>
+void apply_at(void (*apply)(const EffectChoice&, Record&), const EffectChoice& choice,
+              Record& record, std::size_t index) {
+  try {
+    apply(choice, record);
+  } catch (const Error& error) {
+    ErrorLocation location = error.location();
+    if (location.key.empty()) location.key = path_of(index) + ".name";
+    throw Error(error.code(), error.what(), location);
+  }
+}
+
+[[noreturn]] void refuse_form(const EffectChoice& choice, const Effect& effect,
+                              const std::string& tier, std::size_t index) {
+  const bool measurement = effect.card.kind == EffectKind::measurement;
+  throw Error(ExitCode::bad_input,
+              measurement ? "'" + choice.name +
+                                "' is a fault of the measurement and changes data, not the "
+                                "impact: `rebound synthesize` applies it"
+                          : "'" + choice.name + "' has no form in the " + tier + " tier",
+              {.key = path_of(index) + ".name",
+               .value = choice.name,
+               .allowed = "effects with a form in this tier"});
+}
+
+template <class Record>
+void apply_all(const std::vector<EffectChoice>& effects, Record& record,
+               void (*Effect::*form)(const EffectChoice&, Record&), const std::string& tier) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Effect& effect = find_effect(effects[i].name);
+    const EffectChoice choice = checked_choice(effect.card, effects[i], path_of(i));
+    if (!seen.insert(choice.name).second)
+      throw Error(ExitCode::bad_input, "the effect '" + choice.name + "' is given twice",
+                  {.key = path_of(i) + ".name", .value = choice.name, .allowed = "once"});
+    const auto apply = effect.*form;
+    if (!apply) {
+      if (tier.empty()) continue;  // the measurement passes over what is physical
+      refuse_form(choice, effect, tier, i);
+    }
+    if (choice.size != effect.card.null) apply_at(apply, choice, record, i);
+  }
+}
+
+}  // namespace
+
+const std::vector<Effect>& all_effects() {
+#define REBOUND_EFFECT(name) name##_effect(),
+  static const std::vector<Effect> list = {
+#include "comparisons/models/effects/effects.inc"
+  };
+#undef REBOUND_EFFECT
+  return list;
+}
+
+std::vector<std::string> effect_names() {
+  std::vector<std::string> names;
+  for (const Effect& effect : all_effects()) names.push_back(effect.card.name);
+  return names;
+}
+
+std::string size_unit(const EffectCard& card) {
+  return card.size_dimension == dimension::energy_per_area ? "J/m^2"
+                                                           : unit_name(card.size_dimension);
+}
+
+const Effect& find_effect(const std::string& name) {
+  std::string names;
+  for (const Effect& effect : all_effects()) {
+    if (effect.card.name == name) return effect;
+    names += (names.empty() ? "" : ", ") + effect.card.name;
+  }
+  throw Error(ExitCode::bad_input, "unknown effect '" + name + "'",
+              {.key = "model.effect", .value = name, .allowed = names});
+}
+
+void apply_effects(const std::vector<EffectChoice>& effects, LumpedProblem& problem) {
+  apply_all(effects, problem, &Effect::to_lumped, "lumped");
+}
+
+void apply_effects(const std::vector<EffectChoice>& effects, FemProblem& problem) {
+  apply_all(effects, problem, &Effect::to_fem, "FE");
+}
+
+void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& chain) {
+  apply_all(effects, chain, &Effect::to_measurement, "");
+}
+
+std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects) {
+  std::vector<EffectChoice> physical;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(physical),
+               [](const EffectChoice& choice) {
+                 return find_effect(choice.name).card.kind != EffectKind::measurement;
+               });
+  return physical;
+}
+
+}  // namespace rebound

@@ -1,0 +1,45 @@
+#include "comparisons/models/effects/effect.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+/// Beyond layers that are there already.
+void add_outer_layer(Material& material, const RadialLayer& layer) {
+  if (!material.layers.empty() && material.layers.back().from >= layer.from)
+    throw Error(ExitCode::bad_input,
+                "the material has a layer beyond 0.8 R already, where this effect has its own");
+  const double below = material.layers.empty() ? 1.0 : material.layers.back().modulus_factor;
+  material.layers.push_back({.from = layer.from, .modulus_factor = below * layer.modulus_factor});
+}
+
+}  // namespace
+
+Effect layered_core_effect() {
+  return {
+      .card = {.name = "layered-core",
+               .kind = EffectKind::elastic,
+               .sentence = "A shell or winding stiffer than the inside, felt while the contact is "
+                           "shallow.",
+               .equation = "F_e (1 + s exp(-10 x/R))",
+               .size_dimension = dimension::none,
+               .range = limit_of<&ElasticFactors::layer>.range,
+               .prior_scale = 0.5,
+               .signature = "Force rises early and then less steeply: two slopes of F over x; kink "
+                            "soon after first touch.",
+               .experiment = "Curvature of F(x) at small x, and repeats at other orientations: a "
+                             "seam or a winding differs by direction.",
+               .source = "Cross 1999 (tennis balls reach half the peak force in the first 0.2 ms)",
+               .moves = ImpactChange{.peak_force = 1, .contact_time = -1}},
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.elastic.layer = choice.size;
+          },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            add_outer_layer(problem.material, {.from = 0.8, .modulus_factor = 1.0 + choice.size});
+          },
+  };
+}
+
+}  // namespace rebound

@@ -1,0 +1,30 @@
+#include "comparisons/models/effects/effect.hpp"
+
+namespace rebound {
+
+Effect strain_stiffening_effect() {
+  return {
+      .card = {.name = "strain-stiffening",
+               .kind = EffectKind::elastic,
+               .sentence = "The ball hardens with strain: finite deformation or a material that "
+                           "locks gently.",
+               .equation = "F_e (1 + s x/R), s >= 0",
+               .size_dimension = dimension::none,
+               .range = limit_of<&ElasticFactors::stiffening>.range,
+               .prior_scale = 1.0,
+               .signature = "Local slope of ln F over ln x grows above the law at large "
+                            "deflection; pulse more peaked, contact time falls faster with speed.",
+               .experiment = "A deeper slow compression of the same ball, or a higher speed: the "
+                             "excess grows with x alone, whatever the rate.",
+               .source = "Tanaka et al. 2003 (impact of gel balls at large strain)",
+               .moves = ImpactChange{.peak_force = 1, .contact_time = -1}},
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.elastic.stiffening = choice.size;
+          },
+      .to_fem = [](const EffectChoice& choice,
+                   FemProblem& problem) { problem.material.strain.stiffening += choice.size; },
+  };
+}
+
+}  // namespace rebound

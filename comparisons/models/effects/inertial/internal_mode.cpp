@@ -1,0 +1,41 @@
+#include "comparisons/models/effects/effect.hpp"
+
+namespace rebound {
+
+Effect internal_mode_effect() {
+  return {
+      .card = {.name = "internal-mode",
+               .kind = EffectKind::inertial,
+               .sentence = "The ball rings: part of its mass moves against the rest.",
+               .equation = "s of the mass on a spring at frequency f, ratio zeta; x is the centre "
+                           "of mass",
+               .size_dimension = dimension::none,
+               .range = limit_of<&InternalMode::mass_fraction>.range,
+               .prior_scale = 0.1,
+               .parameters = {{.name = "frequency",
+                               .sentence = "Frequency of the free ball's mode.",
+                               .dimension = dimension::frequency,
+                               .range = limit_of<&InternalMode::frequency>.range,
+                               .default_value = 1200.0,
+                               .fitted = true},
+                              {.name = "damping_ratio",
+                               .sentence = "Damping ratio of the mode.",
+                               .dimension = dimension::none,
+                               .range = limit_of<&InternalMode::damping_ratio>.range,
+                               .default_value = 0.02}},
+               .signature = "Ripple of fixed frequency on the force, whatever the speed; energy "
+                            "missing from the rebound that is not in the loop.",
+               .experiment = "Spectrum of the force against the ball's own modes (tap test); the "
+                             "ripple is absent in slow compression.",
+               .source = "Lamb 1882 (modes of a sphere); Rayleigh 1906"},
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            problem.model.mechanisms.mode = {
+                .mass_fraction = choice.size,
+                .frequency = choice.parameters.at("frequency"),
+                .damping_ratio = choice.parameters.at("damping_ratio")};
+          },
+  };
+}
+
+}  // namespace rebound

@@ -1,0 +1,21 @@
+cmake_minimum_required(VERSION 3.25)
+# cmake -DNAME=… -DPROGRAM=… -DOUTPUT=… -DLABELS=… -DTIMEOUT=… -P list_suites.cmake
+#
+# Writes the CTest entries NAME.SUITE of a GoogleTest program. Ends with an error where it lists
+# none; an entry fails where its filter selects no test.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${status}")
+endif()
+string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+\\." suites "${listed}")
+if(NOT suites)
+  message(FATAL_ERROR "${PROGRAM} lists no suite")
+endif()
+set(text "")
+foreach(suite IN LISTS suites)
+  string(REGEX REPLACE "[\n.]" "" suite "${suite}")
+  string(APPEND text "add_test([==[${NAME}.${suite}]==] [==[${PROGRAM}]==] [==[--gtest_filter=${suite}.*]==])\n"
+    "set_tests_properties([==[${NAME}.${suite}]==] PROPERTIES LABELS [==[${LABELS}]==] TIMEOUT ${TIMEOUT}"
+    " FAIL_REGULAR_EXPRESSION [==[0 tests from 0 test suites ran]==])\n")
+endforeach()
+file(WRITE ${OUTPUT} "${text}")

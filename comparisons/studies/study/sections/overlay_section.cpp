@@ -1,0 +1,201 @@
+#include <fmt/format.h>
+
+#include "comparisons/studies/study/study_report.hpp"
+#include "lumped/integration/simulate.hpp"
+
+namespace rebound {
+namespace {
+
+using report::Origin;
+using report::Series;
+
+constexpr double milli = 1e3;
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(factor * value);
+  return result;
+}
+
+/// The FE trace up to the end of contact, with the two meshes as its band.
+struct FemCurve {
+  Trace trace;
+  std::vector<double> force_low, force_high;
+};
+
+FemCurve fem_curve(const StudyShot& shot) {
+  FemCurve curve;
+  const Trace& fine = shot.fem.trace;
+  const Trace& coarse = shot.fem_coarse.trace;
+  for (std::size_t i = 0; i < fine.time.size(); ++i) {
+    if (fine.time[i] > shot.fem.scalars.contact_time) break;
+    curve.trace.time.push_back(fine.time[i]);
+    curve.trace.force.push_back(fine.force[i]);
+    curve.trace.deflection.push_back(fine.deflection[i]);
+    // Same output grid on both meshes: the interval depends on the problem alone.
+    const double other = i < coarse.force.size() ? coarse.force[i] : 0.0;
+    curve.force_low.push_back(std::min(fine.force[i], other));
+    curve.force_high.push_back(std::max(fine.force[i], other));
+  }
+  return curve;
+}
+
+report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
+  const StudyShot& shot = core.shots[s];
+  const FemCurve fem = fem_curve(shot);
+  report::Overlay overlay{
+      .key = overlay_key(core, shot),
+      .title = fmt::format("Core {} at {:g} m/s", core.label, shot.measured.impact.speed),
+      .note =
+          "The measurement published no traces: only scalars are drawn "
+          "as measured.",
+      .figures = {},
+      .tables = {}};
+  report::Figure loop{.title = "Force against deflection",
+                      .caption =
+                          "Deflection of the centre of mass. Points: peaks that the paper "
+                          "calls typical of its four cores together.",
+                      .x = {"deflection", "mm"},
+                      .y = {"force", "N"},
+                      .series = {}};
+  report::Figure history{.title = "Force against time",
+                         .caption = "Band: FE on the coarse and on the reference mesh.",
+                         .x = {"time", "ms"},
+                         .y = {"force", "N"},
+                         .series = {}};
+  report::Figure motion{.title = "Deflection against time",
+                        .caption = "Point on the axis: measured contact time.",
+                        .x = {"time", "ms"},
+                        .y = {"deflection", "mm"},
+                        .series = {}};
+  const auto add = [&](const std::string& name, Origin origin, Series::Role role,
+                       const Trace& trace) {
+    Series series{.name = name,
+                  .origin = origin,
+                  .role = role,
+                  .x = {},
+                  .y = {},
+                  .x_error = {},
+                  .y_error = {},
+                  .y_low = {},
+                  .y_high = {}};
+    series.x = scaled(trace.deflection, milli);
+    series.y = trace.force;
+    loop.series.push_back(series);
+    series.x = scaled(trace.time, milli);
+    history.series.push_back(series);
+    series.y = scaled(trace.deflection, milli);
+    motion.series.push_back(series);
+  };
+  // Restitution and contact time were fitted; no trace was.
+  add("FE", Origin::predicted, Series::Role::reference, fem.trace);
+  history.series.back().y_low = fem.force_low;
+  history.series.back().y_high = fem.force_high;
+  for (std::size_t l = 0; l < core.laws.size(); ++l) {
+    if (!core.benchmark.cells[l][s].failure.empty()) continue;
+    const LumpedResult law = simulate({.sphere = core.data.sphere,
+                                       .impact = shot.problem.impact,
+                                       .model = core.laws[l].model,
+                                       .controls = {.samples = 201}});
+    const Origin origin = core.laws[l].fit ? Origin::fitted : Origin::predicted;
+    add(core.laws[l].label, origin, Series::Role::candidate, law.trace);
+  }
+  for (const auto& peak : core.data.pooled_peaks) {
+    if (peak.speed != shot.measured.impact.speed) continue;
+    loop.series.push_back({.name = "typical peaks, four cores",
+                           .origin = Origin::measured,
+                           .style = Series::Style::points,
+                           .role = Series::Role::reference,
+                           .x = {milli * peak.deflection},
+                           .y = {peak.force},
+                           .x_error = {},
+                           .y_error = {},
+                           .y_low = {},
+                           .y_high = {}});
+  }
+  if (shot.measured.contact_time.value)
+    motion.series.push_back(
+        {.name = "contact time",
+         .origin = Origin::measured,
+         .style = Series::Style::points,
+         .role = Series::Role::reference,
+         .x = {milli * *shot.measured.contact_time.value},
+         .y = {0.0},
+         .x_error = {milli * shot.measured.contact_time.uncertainty.value_or(0)},
+         .y_error = {},
+         .y_low = {},
+         .y_high = {}});
+  overlay.figures = {loop, history, motion};
+  return overlay;
+}
+
+report::Table scalar_table(const CoreStudy& core, std::size_t s) {
+  using Kind = report::TableColumn::Kind;
+  const StudyShot& shot = core.shots[s];
+  report::Table table{.title = "Scalars side by side",
+                      .caption =
+                          "FE ± distance between its two meshes. Contact time by "
+                          "zero force; FE also above the instrument's threshold.",
+                      .columns = {{"", "", Kind::text, {}},
+                                  {"restitution", "1", Kind::number, {}},
+                                  {"contact time", "ms", Kind::number, {}},
+                                  {"peak force", "N", Kind::number, {}},
+                                  {"peak deflection", "mm", Kind::number, {}},
+                                  {"mean deflection", "mm", Kind::number, {}}},
+                      .rows = {}};
+  const auto measured = [](const Measured& value, double factor) {
+    if (!value.value) return report::text_cell("–");
+    report::TableCell cell = value.uncertainty ? report::uncertain_cell(factor * *value.value,
+                                                                        factor * *value.uncertainty)
+                                               : report::number_cell(factor * *value.value, 3);
+    cell.origin = Origin::measured;
+    return cell;
+  };
+  table.rows.push_back({report::text_cell("measured"), measured(shot.measured.restitution, 1),
+                        measured(shot.measured.contact_time, milli),
+                        measured(shot.measured.peak_force, 1),
+                        measured(shot.measured.peak_deflection, milli),
+                        measured(shot.measured.mean_deflection, milli)});
+  const auto fem = [&](double ImpactScalars::*scalar, double factor) {
+    const double bar = factor * spread(shot, scalar);
+    const double value = factor * shot.fem.scalars.*scalar;
+    return bar > 0 ? report::uncertain_cell(value, bar) : report::number_cell(value, 4);
+  };
+  table.rows.push_back(
+      {report::text_cell("FE"), fem(&ImpactScalars::restitution, 1),
+       fem(&ImpactScalars::contact_time, milli), fem(&ImpactScalars::peak_force, 1),
+       fem(&ImpactScalars::peak_deflection, milli), fem(&ImpactScalars::mean_deflection, milli)});
+  for (std::size_t l = 0; l < core.laws.size(); ++l) {
+    const LawScore& cell = core.benchmark.cells[l][s];
+    if (!cell.failure.empty()) {
+      table.rows.push_back({report::text_cell(core.laws[l].label), report::text_cell(cell.failure),
+                            report::text_cell("–"), report::text_cell("–"), report::text_cell("–"),
+                            report::text_cell("–")});
+      continue;
+    }
+    table.rows.push_back({report::text_cell(core.laws[l].label),
+                          report::number_cell(cell.scalars.restitution, 3),
+                          report::number_cell(milli * cell.scalars.contact_time, 3),
+                          report::number_cell(cell.scalars.peak_force, 3),
+                          report::number_cell(milli * cell.scalars.peak_deflection, 3),
+                          report::number_cell(milli * cell.scalars.mean_deflection, 3)});
+  }
+  return table;
+}
+
+}  // namespace
+
+report::Section overlay_section(const std::vector<CoreStudy>& cores) {
+  report::Section section{.title = "The chosen impact", .blocks = {}};
+  report::Overlays overlays{.id = "impacts", .chosen = {}, .items = {}};
+  for (const auto& core : cores)
+    for (std::size_t s = 0; s < core.shots.size(); ++s) {
+      overlays.items.push_back(overlay_of(core, s));
+      overlays.items.back().tables.push_back(scalar_table(core, s));
+    }
+  overlays.chosen = overlays.items.front().key;
+  section.blocks.push_back(std::move(overlays));
+  return section;
+}
+
+}  // namespace rebound

@@ -1,0 +1,103 @@
+#include "comparisons/studies/study/study_json.hpp"
+
+#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+
+namespace rebound {
+namespace {
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json errors_json(const ScalarErrors& errors) {
+  return {{"peak_force", optional_json(errors.peak_force)},
+          {"peak_deflection", optional_json(errors.peak_deflection)},
+          {"mean_deflection", optional_json(errors.mean_deflection)},
+          {"contact_time", optional_json(errors.contact_time)},
+          {"contact_time_1pct", optional_json(errors.contact_time_1pct)},
+          {"restitution", optional_json(errors.restitution)}};
+}
+
+Json measured_json(const MeasuredImpact& shot) {
+  return {{"speed_m_s", shot.impact.speed},
+          {"restitution", optional_json(shot.restitution.value)},
+          {"contact_time_s", optional_json(shot.contact_time.value)},
+          {"mean_deflection_m", optional_json(shot.mean_deflection.value)}};
+}
+
+Json shot_json(const StudyShot& shot) {
+  return {{"measured", measured_json(shot.measured)},
+          {"fem", to_json(shot.fem)},
+          {"fem_contact_time_above_threshold_s", shot.contact_time},
+          {"fem_coarse", to_json(shot.fem_coarse)}};
+}
+
+Json cell_json(const LawScore& cell) {
+  if (!cell.failure.empty()) return {{"failure", cell.failure}};
+  return {{"restitution", cell.scalars.restitution},
+          {"contact_time_s", cell.scalars.contact_time},
+          {"peak_force_N", cell.scalars.peak_force},
+          {"peak_deflection_m", cell.scalars.peak_deflection},
+          {"mean_deflection_m", cell.scalars.mean_deflection},
+          {"error_against_fem", errors_json(cell.against_reference)},
+          {"error_against_measurement", errors_json(cell.against_measured)},
+          {"force_time_rms_of_peak", cell.force_time_rms},
+          {"force_deflection_rms_of_peak", cell.force_deflection_rms}};
+}
+
+Json law_json(const StudyLaw& law, const std::vector<LawScore>& cells) {
+  Json at_speed = Json::array();
+  for (const auto& at : law.model.at_speed)
+    at_speed.push_back({{"speed_m_s", at.speed}, {"parameters", at.parameters}});
+  Json scores = Json::array();
+  for (const auto& cell : cells) scores.push_back(cell_json(cell));
+  return {{"label", law.label},   {"origin", law.origin},
+          {"law", law.model.law}, {"parameters", law.model.parameters},
+          {"at_speed", at_speed}, {"fit", law.fit ? fit_json(*law.fit) : Json(nullptr)},
+          {"scores", scores}};
+}
+
+Json core_json(const CoreStudy& core) {
+  Json shots = Json::array();
+  for (const auto& shot : core.shots) shots.push_back(shot_json(shot));
+  Json laws = Json::array();
+  for (std::size_t i = 0; i < core.laws.size(); ++i)
+    laws.push_back(law_json(core.laws[i], core.benchmark.cells[i]));
+  return {{"label", core.label},
+          {"data", core.data.name},
+          {"long_term_modulus_Pa", core.long_term_modulus},
+          {"long_term_modulus_hertz_Pa", core.long_term_modulus_hertz},
+          {"material_fit", fit_json(core.material.fit)},
+          {"shots", shots},
+          {"laws", laws},
+          {"diagnosis", to_json(core.diagnosis)}};
+}
+
+}  // namespace
+
+Json fit_json(const CalibrationResult& fit) {
+  Json estimates = Json::array();
+  for (const auto& estimate : fit.estimates)
+    estimates.push_back({{"name", estimate.name},
+                         {"unit", estimate.unit},
+                         {"value", estimate.value},
+                         {"interval", {estimate.low, estimate.high}},
+                         {"verdict", estimate.verdict}});
+  return {{"estimates", estimates},         {"reduced_chi_square", fit.reduced_chi_square},
+          {"cost_before", fit.cost_before}, {"cost_after", fit.cost_after},
+          {"converged", fit.converged},     {"evaluations", fit.evaluations},
+          {"verdict", fit.verdict},         {"warnings", fit.warnings}};
+}
+
+Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                const std::vector<ExperimentStudy>& experiments) {
+  Json list = Json::array(), synthetic = Json::array();
+  for (const auto& core : cores) list.push_back(core_json(core));
+  for (const auto& experiment : experiments)
+    synthetic.push_back({{"label", experiment.label},
+                         {"hidden", experiment.hidden},
+                         {"diagnosis", to_json(experiment.diagnosis)}});
+  return {{"schema", 1}, {"title", study.title}, {"cores", list}, {"experiments", synthetic}};
+}
+
+}  // namespace rebound

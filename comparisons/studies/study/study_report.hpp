@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "comparisons/io/report/report.hpp"
+#include "comparisons/io/results/provenance.hpp"
+#include "comparisons/studies/study/core_study.hpp"
+#include "comparisons/studies/study/study_experiments.hpp"
+
+/// The report of a study, one function a section, in the order of reading.
+namespace rebound {
+
+/// One sentence to take away: what the published damping formula predicts for
+/// one core at one speed, what was measured, which change closes it.
+std::string headline(const std::vector<CoreStudy>& cores);
+
+/// Law × core × speed: distance of the force trace from FE, errors against
+/// the measurement.
+report::Section matrix_section(const std::vector<CoreStudy>& cores);
+
+/// The chosen impact: force–deflection, deflection–time, scalars side by side.
+report::Section overlay_section(const std::vector<CoreStudy>& cores);
+
+/// FE against what it was fitted to, and against what it was not.
+report::Section check_section(const std::vector<CoreStudy>& cores);
+
+/// Every fitted number with its interval and verdict.
+report::Section parameter_section(const std::vector<CoreStudy>& cores);
+
+/// Slow compression: modulus and stiffness by every route, geometry factors right.
+report::Section quasistatic_section(const std::vector<CoreStudy>& cores);
+
+/// Closures and numerical spread of the FE runs.
+report::Section credibility_section(const std::vector<CoreStudy>& cores);
+
+report::Section provenance_section(const std::vector<CoreStudy>& cores,
+                                   const Provenance& provenance);
+
+/// `paper`: what the paper's printed numbers imply, if the study asks for it;
+/// placed after the checks of the FE model and the diagnoses.
+report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::vector<ExperimentStudy>& experiments,
+                            const std::vector<report::Section>& paper,
+                            const Provenance& provenance);
+
+/// Key of the overlay of one impact, e.g. "A/15".
+std::string overlay_key(const CoreStudy& core, const StudyShot& shot);
+
+/// Numerical spread of an FE scalar: its distance between the two meshes.
+double spread(const StudyShot& shot, double ImpactScalars::*scalar);
+
+}  // namespace rebound

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/discretisation/discretisation.hpp"
+#include "fem/explicit/dispersion_correction.hpp"
+
+namespace rebound::fem {
+
+/// Displacement, velocity and internal force of every node, [node][2] (r, z),
+/// with the sums over them that energy and momentum need. Mass is lumped, with
+/// a DispersionCorrection.
+class BodyMotion {
+ public:
+  /// All nodes at `approach` towards the plate [m/s]; nodes of the axis stay on it.
+  BodyMotion(const Discretisation& body, double approach, DispersionCorrection dispersion);
+
+  struct Sums {
+    double kinetic = 0.0;   ///< [J]
+    double momentum = 0.0;  ///< away from the plate [kg m/s]
+  };
+  Sums sums() const;
+
+  /// Work of the internal forces over a drift that ends or begins here [J].
+  double half_step_work(double drift) const;
+
+  /// Velocities by the internal forces and gravity over `span`.
+  void kick(double span, double gravity);
+  void drift(double span);
+
+  /// Mean of u_z by mass [m].
+  double mean_height() const;
+  double total_mass() const { return total_mass_; }
+
+  std::vector<double> displacement, velocity, force;
+
+ private:
+  const Discretisation& body_;
+  std::vector<double> inverse_mass_;
+  DispersionCorrection dispersion_;
+  double total_mass_ = 0.0;
+};
+
+}  // namespace rebound::fem

@@ -1,0 +1,261 @@
+#include "fem/explicit/explicit_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "fem/contact/moving_plate.hpp"
+#include "fem/contact/rigid_plate.hpp"
+#include "fem/explicit/body_motion.hpp"
+#include "fem/explicit/prony_steps.hpp"
+#include "fem/explicit/stable_step.hpp"
+#include "fem/impact/energy_check.hpp"
+#include "fem/impact/impact_conclusion.hpp"
+#include "fem/impact/impact_recorder.hpp"
+#include "fem/impact/residual_vibration.hpp"
+#include "fem/impact/timed_impact.hpp"
+#include "fem/interface/adhesive_range.hpp"
+#include "fem/interface/check_problem.hpp"
+#include "fem/kernel/cell_batches.hpp"
+#include "fem/output/impact_fields.hpp"
+
+namespace rebound::fem {
+namespace {
+
+class ExplicitImpact {
+ public:
+  ExplicitImpact(const Discretisation& body, const FemProblem& problem);
+  FemResult run(const RunControl& control);
+
+ private:
+  void step();
+  void record_samples(const BodyMotion::Sums& before, const PlateStep& now);
+  void update_energies(const BodyMotion::Sums& before, const PlateStep& now,
+                       const BodyMotion::Sums& after);
+  bool contact_is_over() const;
+  FemResult finish(std::string incomplete_because);
+  void conclude(FemResult& result) const;
+
+  const Discretisation& body_;
+  const FemProblem& problem_;
+  const CellKernel& kernel_;
+  const ViscoelasticConstants material_;
+  const CellBatches cells_;
+  const CellArrays& arrays_ = cells_.arrays();
+  StableStep step_;
+  BodyMotion motion_;
+  const AdhesiveTraction adhesion_;  ///< its range chosen
+  std::unique_ptr<PlateContact> plate_;
+  std::vector<double> history_;
+  int pole_ = 0;  ///< the node farthest from the plate
+  double expected_time_, end_time_;
+  ImpactRecorder recorder_;
+  std::unique_ptr<ImpactFields> fields_;  ///< null: none asked for
+  CellSummary summary_;
+  PronySteps prony_;
+  long steps_ = 0;
+  double time_ = 0.0;
+  double internal_work_ = 0.0, constraint_work_ = 0.0, friction_work_ = 0.0;
+  double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
+  double last_contact_ = 0.0;
+  EnergyBalance energies_;
+  EnergyCheck balance_;
+};
+
+std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const FemProblem& problem,
+                                         const AdhesiveTraction& adhesion) {
+  const Plate& plate = problem.plate;
+  if (plate.moves()) return std::make_unique<MovingPlate>(body, plate, adhesion);
+  return std::make_unique<RigidPlate>(
+      body, PlateSurface{.friction = plate.friction, .adhesion = adhesion});
+}
+
+/// Kinetic energy of the discrete body at `speed`, of which `motion` lacks `behind`.
+double kinetic_at_touch(const BodyMotion& motion, double speed, double behind) {
+  const double to_touch = speed / (speed - behind);
+  return motion.sums().kinetic * to_touch * to_touch;
+}
+
+// Velocities belong to half steps: the first, half a step before the touch, is
+// that much less under gravity.
+ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& problem)
+    : body_(body),
+      problem_(problem),
+      kernel_(choose_cell_kernel()),
+      material_(viscoelastic_constants(problem.material)),
+      cells_(body, material_, kernel_.width),
+      step_(cells_, problem.controls),
+      motion_(body, problem.impact.speed - 0.5 * step_.now() * problem.gravity,
+              {body, cells_.cell_frequency_squared(), problem.controls.step_safety}),
+      adhesion_(chosen_adhesion(problem, material_.instantaneous)),
+      plate_(make_plate(body, problem, adhesion_)),
+      history_(cells_.make_history()),
+      expected_time_(expected_contact_time(problem, material_.instantaneous)),
+      end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
+      recorder_(problem.controls.output_interval > 0 ? problem.controls.output_interval
+                                                     : expected_time_ / 200,
+                expected_time_,
+                problem.plate.moves() ? Reading::load_cell : Reading::contact_force),
+      fields_(ImpactFields::create_if_requested(problem, {body, cells_, kernel_, material_},
+                                                expected_time_)),
+      prony_(material_, step_.now()),
+      balance_(
+          kinetic_at_touch(motion_, problem.impact.speed, 0.5 * step_.now() * problem.gravity)) {
+  pole_ =
+      static_cast<int>(std::max_element(body.position.begin(), body.position.end(),
+                                        [](const auto& a, const auto& b) { return a[1] < b[1]; }) -
+                       body.position.begin());
+}
+
+/// Energies at the current instant t_n, from the velocities half a step before
+/// and after. Half of what the plate takes at that instant is in their mean.
+void ExplicitImpact::update_energies(const BodyMotion::Sums& before, const PlateStep& now,
+                                     const BodyMotion::Sums& after) {
+  const double mass = motion_.total_mass();
+  const double kinetic = 0.5 * (before.kinetic + after.kinetic);
+  const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
+  energies_.kinetic_centre_of_mass = 0.5 * mass * centre_speed * centre_speed;
+  energies_.kinetic_vibration = kinetic - energies_.kinetic_centre_of_mass;
+  energies_.stored = kernel_.stored_energy(arrays_, motion_.displacement.data(), history_.data());
+  // An elastic body loses nothing inside: its internal work is then not used, and
+  // the balance below holds the stress against the energy it derives from.
+  energies_.branches = material_.dissipates() ? internal_work_ - energies_.stored : 0.0;
+  energies_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
+  energies_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
+  energies_.adhesion = plate_->adhesive_energy(motion_.displacement);
+  const PlateState plate = plate_->state();
+  energies_.plate_kinetic = plate.kinetic;
+  energies_.plate_spring = plate.spring;
+  energies_.plate_damper = plate.damper;
+  energies_.gravity =
+      problem_.gravity > 0.0 ? mass * problem_.gravity * motion_.mean_height() : 0.0;
+  balance_.check(energies_);
+}
+
+/// Samples are placed by the linear motion over the step.
+void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateStep& now) {
+  const BodyMotion::Sums after = motion_.sums();
+  update_energies(before, now, after);
+  const double mean_height = motion_.mean_height();
+  const double speed_now = after.momentum / motion_.total_mass();
+  const PlateState plate = plate_->state();
+  const int pole = 2 * pole_ + 1;
+  while (recorder_.next_sample() < time_ + step_.now()) {
+    const double ahead = recorder_.next_sample() - time_;
+    recorder_.add_sample(
+        {.deflection = -(mean_height + ahead * speed_now),
+         .pole_deflection = -(motion_.displacement[pole] + ahead * motion_.velocity[pole]),
+         .contact_radius = contact_radius_,
+         .plate_displacement = plate.displacement + ahead * plate.velocity},
+        energies_);
+  }
+}
+
+void ExplicitImpact::step() {
+  const double behind = step_.before(), ahead = step_.now();
+  const CellMotion now{.displacement = motion_.displacement.data(),
+                       .velocity = motion_.velocity.data()};
+  if (fields_) fields_->see(time_, prony_.data(), now, history_);
+  std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
+  summary_ =
+      kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(), motion_.force.data());
+  const bool sampling = recorder_.next_sample() < time_ + ahead;
+  const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
+
+  internal_work_ += motion_.half_step_work(behind);
+  plate_->remember(motion_.velocity);
+  const StepSpan span{.kick = 0.5 * (behind + ahead), .drift = ahead};
+  motion_.kick(span.kick, problem_.gravity);
+  if (fields_) fields_->before_plate(motion_.velocity);
+  const PlateStep plate = plate_->apply_contact(motion_.displacement, motion_.velocity, span);
+  constraint_work_ += plate.constraint_work;
+  friction_work_ += plate.friction_work;
+  contact_radius_ = plate.contact_radius;
+  contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
+  const double start = time_ - 0.5 * behind, end = time_ + 0.5 * ahead;
+  if (fields_) fields_->after_plate(motion_.velocity, end);
+  recorder_.add_impulse(plate.impulse - plate.pull, start, end);
+  recorder_.add_reading(plate.reading, start, end);
+  if (plate.impulse > 0.0) last_contact_ = end;
+  if (sampling) record_samples(before, plate);
+  internal_work_ += motion_.half_step_work(ahead);
+
+  motion_.drift(ahead);
+  plate_->drift(ahead);
+  time_ += ahead;
+  ++steps_;
+  step_.choose(summary_.largest_frequency_squared);
+  prony_.advance(step_.now());
+}
+
+bool ExplicitImpact::contact_is_over() const {
+  if (last_contact_ == 0.0 || time_ < 1.02 * last_contact_) return false;
+  const double mass = motion_.total_mass();
+  const double amplitude = residual_vibration_amplitude(
+      energies_, material_,
+      {.mass = mass, .density = body_.density, .radius = problem_.sphere.radius()});
+  return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
+                                                    .vibration = amplitude + adhesion_.reach(),
+                                                    .horizon = end_time_});
+}
+
+FemResult ExplicitImpact::run(const RunControl& control) {
+  std::string incomplete;
+  constexpr int look_around_every = 32;
+  while (incomplete.empty()) {
+    step();
+    if (!(summary_.smallest_jacobian > 0.0))
+      incomplete = "a cell was turned inside out (Jacobian <= 0)";
+    else if (step_.collapsed())
+      incomplete = "the stable step fell below 1e-4 of its first value";
+    else if (time_ > end_time_)
+      incomplete = "the contact had not ended by the end time";
+    if (!incomplete.empty() || steps_ % look_around_every != 0) continue;
+    // NaN is never below or above anything: no comparison above would see it.
+    if (!std::isfinite(motion_.sums().kinetic)) incomplete = "the motion is no longer finite";
+    if (!incomplete.empty()) break;
+    if (contact_is_over()) break;
+    if (control.interrupted && control.interrupted()) incomplete = "interrupted";
+    if (control.progress) control.progress(std::min(0.99, time_ / (1.3 * expected_time_)));
+  }
+  return finish(std::move(incomplete));
+}
+
+FemResult ExplicitImpact::finish(std::string incomplete_because) {
+  FemResult result;
+  result.trace = recorder_.trace();
+  result.energies = recorder_.energies();
+  result.cells = arrays_.cells;
+  result.vertices = body_.node_count();
+  result.steps = steps_;
+  result.smallest_step = step_.smallest();
+  result.kernel = kernel_.name;
+  result.incomplete_because = std::move(incomplete_because);
+  if (fields_) result.shapes = fields_->shapes();
+  if (result.incomplete_because.empty()) conclude(result);
+  return result;
+}
+
+void ExplicitImpact::conclude(FemResult& result) const {
+  const double mass = motion_.total_mass();
+  conclude_impact(problem_, recorder_,
+                  {.mass = mass,
+                   .speed = motion_.sums().momentum / mass,
+                   .time = time_ - 0.5 * step_.before(),  // velocities belong to half steps
+                   .last_contact = last_contact_,
+                   .initial_kinetic = balance_.brought(),
+                   .energy_error = balance_.worst(),
+                   .contact_radius_peak = contact_radius_peak_,
+                   .energies = energies_},
+                  result);
+}
+
+}  // namespace
+
+FemResult run_explicit_impact(const Discretisation& body, const FemProblem& problem,
+                              const RunControl& control) {
+  check(problem);
+  return timed_impact<ExplicitImpact>(control, body, problem);
+}
+
+}  // namespace rebound::fem

@@ -1,0 +1,25 @@
+#include "fem/impact/impact_conclusion.hpp"
+
+#include <cmath>
+
+#include "lumped/problem/scalars.hpp"
+
+namespace rebound::fem {
+
+void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
+                     const ImpactEnd& end, FemResult& result) {
+  const double v0 = problem.impact.speed, g = problem.gravity;
+  const double rebound = recorder.total_impulse() / end.mass - v0 - g * end.last_contact;
+  result.scalars = derive_scalars(result.trace, problem.impact, end.last_contact, rebound);
+  result.restitution_momentum = (end.speed + g * (end.time - end.last_contact)) / v0;
+  const double expected = end.mass * (v0 + end.speed + g * end.time);
+  result.closures.impulse =
+      std::abs(integral(result.trace.time, recorder.contact_force()) - expected) / expected;
+  result.closures.energy = end.energy_error;
+  result.contact_radius_peak = end.contact_radius_peak;
+  result.vibrational_energy_share =
+      (end.energies.kinetic_vibration + end.energies.stored) / end.initial_kinetic;
+  result.contact_constraint_share = end.energies.contact_constraint / end.initial_kinetic;
+}
+
+}  // namespace rebound::fem

@@ -1,0 +1,180 @@
+#include "lumped/integration/composed/composed_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lumped/integration/check_mechanisms.hpp"
+#include "lumped/integration/checked_setup.hpp"
+#include "lumped/laws/make_law.hpp"
+#include "lumped/mechanisms/adhesion.hpp"
+#include "lumped/mechanisms/damping_factors.hpp"
+#include "lumped/mechanisms/finite_sphere.hpp"
+#include "lumped/mechanisms/reference_scales.hpp"
+#include "lumped/mechanisms/relaxation.hpp"
+
+namespace rebound {
+
+using Kind = ContactPhase::Kind;
+using State = ComposedContact::State;
+
+namespace {
+
+Mechanisms checked(const LumpedProblem& problem, const AnyLaw& law) {
+  check_mechanisms(problem.model.mechanisms, law, problem.sphere.radius());
+  return problem.model.mechanisms;
+}
+
+}  // namespace
+
+ComposedContact::ComposedContact(const LumpedProblem& problem)
+    : law_(make_law(problem.model, problem.impact, problem.sphere)),
+      mechanisms_(checked(problem, law_)),
+      law_branch_(std::visit(
+          []<class Law>(const Law& law) {
+            if constexpr (law_has_branch<Law>) return law.branch();
+            return RelaxationBranch{};
+          },
+          law_)),
+      plate_(mechanisms_.plate),
+      setup_(checked_setup(problem)),
+      radius_(problem.sphere.radius()),
+      elastic_(law_, mechanisms_, {.radius = radius_, .speed = setup_.speed}),
+      scales_(contact_scales(elastic_, setup_)),
+      peak_force_(elastic_.elastic_force(scales_.deflection)),
+      pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
+      body_compliance_(0.0) {
+  const FiniteSphere& finite = mechanisms_.finite_sphere;
+  if (finite.share != 0.0)
+    body_compliance_ = body_compliance(
+        {.share = finite.share,
+         .poisson_ratio = finite.poisson_ratio,
+         .radius = radius_,
+         .reference_force = elastic_.elastic_force(reference_deflection_share * radius_)});
+}
+
+bool ComposedContact::needed(const LumpedProblem& problem) {
+  return problem.model.mechanisms.act() || has_branch(problem.model.law);
+}
+
+State ComposedContact::state_scales() const {
+  const double energy = 0.5 * setup_.mass * setup_.speed * setup_.speed;
+  State scale = {scales_.deflection, setup_.speed, setup_.mass * setup_.speed, energy,
+                 peak_force_,        peak_force_};
+  // A stiff plate hardly moves, yet its motion is what the load cell reads.
+  const double k = plate_.moves() ? plate_.stiffness : 1.0;
+  scale[plate_displacement] = std::min(scales_.deflection, peak_force_ / k);
+  scale[plate_velocity] = std::min(setup_.speed, peak_force_ / std::sqrt(k * plate_.mass));
+  const double omega = mode_angular_frequency(mechanisms_.mode);
+  const double acceleration = peak_force_ / setup_.mass;
+  scale[mode_displacement] = std::min(scales_.deflection, acceleration / (omega * omega));
+  scale[mode_velocity] = std::min(setup_.speed, acceleration / omega);
+  return scale;
+}
+
+State ComposedContact::initial_state() const {
+  State y{};
+  y[velocity] = setup_.speed;
+  return y;
+}
+
+double ComposedContact::closing_speed(const State& y) const {
+  return y[velocity] - y[plate_velocity] - mechanisms_.mode.mass_fraction * y[mode_velocity];
+}
+
+double ComposedContact::approach_rate(const Phase& phase, const State& y) const {
+  const double closing = closing_speed(y);
+  if (body_compliance_ == 0.0) return closing;
+  const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
+  // Near the largest x the correction can give, and beyond, the step is refused.
+  constexpr double least_share = 0.05;
+  return share > least_share ? closing / share : std::numeric_limits<double>::quiet_NaN();
+}
+
+ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State& y) const {
+  const double x = y[approach];
+  Forces f;
+  f.elastic = elastic_.acting(phase, x);
+  if (mechanisms_.relaxation.ratio != 0.0)
+    f.branch = branch_force(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (law_branch_.ratio != 0.0) f.branch += branch_force(law_branch_, f.elastic, y[law_relaxed]);
+  const double rate = approach_rate(phase, y);
+  f.damping = std::visit(
+      [&](const auto& law) { return damping_force(law, mechanisms_.damping, radius_, x, rate); },
+      law_);
+  if (pull_off_ != 0.0) {
+    const double largest = phase.kind == Kind::loading ? x : phase.largest;
+    f.adhesion = -pull_off_ * adhesion_ramp(elastic_.elastic_force(largest), peak_force_);
+  }
+  return f;
+}
+
+void ComposedContact::derivative(const Phase& phase, const State& y, State& rate) const {
+  const bool open = phase.kind == Kind::open;
+  const Forces f = open ? Forces{} : forces(phase, y);
+  const double total = f.contact();
+  const double closing = closing_speed(y);
+  rate = {};
+  rate[approach] = approach_rate(phase, y);
+  rate[velocity] = mechanisms_.gravity - total / setup_.mass;
+  rate[impulse] = total;
+  rate[dissipated] = (total - f.elastic) * closing;
+  if (mechanisms_.relaxation.ratio != 0.0)
+    rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (law_branch_.ratio != 0.0)
+    rate[law_relaxed] = relaxed_rate(law_branch_, f.elastic, y[law_relaxed]);
+  if (plate_.moves()) {
+    const PlateMotion plate = plate_motion(y);
+    rate[plate_displacement] = plate.velocity;
+    rate[plate_velocity] = plate_acceleration(plate_, plate, total);
+    rate[dissipated] += plate_damping(plate_) * plate.velocity * plate.velocity;
+  }
+  if (mechanisms_.mode.mass_fraction != 0.0) {
+    const ModeMotion mode = mode_motion(y);
+    const double outer_mass = (1.0 - mechanisms_.mode.mass_fraction) * setup_.mass;
+    rate[mode_displacement] = mode.velocity;
+    rate[mode_velocity] = mode_acceleration(mechanisms_.mode, mode, total / outer_mass);
+    rate[dissipated] += mode_loss(mechanisms_.mode, mode, setup_.mass);
+  }
+}
+
+double ComposedContact::centre_of_mass_deflection(const Phase& phase, const State& y) const {
+  double x =
+      y[approach] + y[plate_displacement] + mechanisms_.mode.mass_fraction * y[mode_displacement];
+  if (body_compliance_ != 0.0) x -= body_compliance_ * elastic_.acting(phase, y[approach]);
+  return x;
+}
+
+double ComposedContact::contact_force(const Phase& phase, const State& y) const {
+  return phase.kind == Kind::open ? 0.0 : forces(phase, y).contact();
+}
+
+double ComposedContact::instrument_force(const Phase& phase, const State& y) const {
+  return plate_.moves() ? load_cell_force(plate_, plate_motion(y)) : contact_force(phase, y);
+}
+
+double ComposedContact::stored_energy(const Phase& phase, const State& y) const {
+  double stored = elastic_.recoverable_energy(phase, y[approach]);
+  if (body_compliance_ != 0.0) {
+    const double force = elastic_.acting(phase, y[approach]);
+    stored -= 0.5 * body_compliance_ * force * force;
+  }
+  return stored;
+}
+
+Closures ComposedContact::closures(const Phase& phase, const State& y, double time) const {
+  const double m = setup_.mass;
+  const double brought = 0.5 * m * setup_.speed * setup_.speed;
+  double found = 0.5 * m * y[velocity] * y[velocity] + stored_energy(phase, y) +
+                 elastic_.lost_energy(phase, y[approach]) + y[dissipated] -
+                 m * mechanisms_.gravity * centre_of_mass_deflection(phase, y);
+  if (plate_.moves()) found += plate_energy(plate_, plate_motion(y));
+  if (mechanisms_.mode.mass_fraction != 0.0)
+    found += mode_energy(mechanisms_.mode, mode_motion(y), m);
+  const double momentum = m * (setup_.speed - y[velocity]);
+  const double weight = m * mechanisms_.gravity * time;
+  return {.impulse = std::abs(y[impulse] - weight - momentum) / momentum,
+          .energy = std::abs(found - brought) / brought};
+}
+
+}  // namespace rebound

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "lumped/integration/contact_end.hpp"
+#include "lumped/integration/contact_scales.hpp"
+#include "lumped/mechanisms/elastic_force.hpp"
+#include "lumped/mechanisms/internal_mode.hpp"
+#include "lumped/mechanisms/moving_plate.hpp"
+#include "lumped/problem/lumped_problem.hpp"
+#include "lumped/problem/result.hpp"
+
+namespace rebound {
+
+/// Contact law and mechanisms as one system of differential equations.
+///
+///   δ̇ = (V − w − s ṙ)/(1 − c F_e′),   m V̇ = m g − F,   J̇ = F,
+///   F = F_e + q + F_d − P w(δ_max),   Ḋ = (F − F_e) (V − w − s ṙ) + plate and mode losses,
+///   and z, y, w, r, ṙ as their own files say
+///
+///   δ   approach of the contact, what the law sees [m];  X = δ − c F_e + y + s r its centre of
+///   mass V   velocity of the centre of mass [m/s]             F   contact force [N] J   impulse of
+///   F [N s]                               D   energy lost, or held in the branch [J]
+///
+/// Order of composition: the law's F_e takes its factors, then the memory of
+/// the largest approach; relaxation (the law's own branch and a further one), finite sphere and
+/// adhesion see the result. Valid:   every law with every set of mechanisms; friction is refused.
+/// Limit:   without mechanisms the bare law -> test ComposedContactTest.NothingIsTheBareLaw.
+/// Caution: zero-force: contact ends where the force without adhesion falls to
+///          zero, at pull-off; a plate or a mode that rings may bring ball and
+///          plate together again, which belongs to the same contact. While they
+///          are apart the branch relaxes to no force.
+class ComposedContact {
+ public:
+  enum Index {
+    approach,
+    velocity,
+    impulse,
+    dissipated,
+    relaxed,
+    law_relaxed,
+    plate_displacement,
+    plate_velocity,
+    mode_displacement,
+    mode_velocity,
+    states
+  };
+  using State = std::array<double, states>;
+  using Phase = ContactPhase;
+
+  /// Is a problem a composed contact, or a law alone that its own integrators take?
+  static bool needed(const LumpedProblem& problem);
+
+  /// Errors: Error(bad_input) for a law (see make_law) or mechanisms that cannot be.
+  explicit ComposedContact(const LumpedProblem& problem);
+
+  const ContactSetup& setup() const { return setup_; }
+  const ContactScales& scales() const { return scales_; }
+  /// Sizes of the states; local errors are taken of them.
+  State state_scales() const;
+  State initial_state() const;
+
+  void derivative(const Phase& phase, const State& y, State& rate) const;
+
+  double centre_of_mass_deflection(const Phase& phase, const State& y) const;
+  double contact_force(const Phase& phase, const State& y) const;
+  /// What the instrument reads: the load cell where the plate moves [N].
+  double instrument_force(const Phase& phase, const State& y) const;
+  bool plate_moves() const { return plate_.moves(); }
+
+  /// Something that ends a phase: its indicator passes zero in a direction.
+  enum class Event { turning, reloading, released, separated, touching, gone };
+  struct EventFunction {
+    Event event;
+    bool falling;  ///< passes zero downwards
+  };
+  struct EventFunctions {
+    std::array<EventFunction, 3> list;
+    int count = 0;
+  };
+  /// What is to be watched in a phase.
+  EventFunctions event_functions(const Phase& phase) const;
+  /// Turning: rate of approach. Reloading: approach past the largest. Released:
+  /// force without adhesion. Separated: deflection left. Touching: the lesser
+  /// of both, a millionth of its scale above zero. Gone: reach of the ringing parts beyond first
+  /// touch.
+  double indicator(Event event, const Phase& phase, const State& y) const;
+
+  /// The phase after `event`, its energy step counted in y; nothing at the end.
+  std::optional<Phase> next_phase(Event event, const Phase& phase, State& y) const;
+
+  Closures closures(const Phase& phase, const State& y, double time) const;
+
+ private:
+  struct Forces {
+    double elastic = 0.0, branch = 0.0, damping = 0.0, adhesion = 0.0;
+    double without_adhesion() const { return elastic + branch + damping; }
+    double contact() const { return without_adhesion() + adhesion; }
+  };
+  static PlateMotion plate_motion(const State& y) {
+    return {y[plate_displacement], y[plate_velocity]};
+  }
+  static ModeMotion mode_motion(const State& y) { return {y[mode_displacement], y[mode_velocity]}; }
+  double closing_speed(const State& y) const;
+  double approach_rate(const Phase& phase, const State& y) const;
+  Forces forces(const Phase& phase, const State& y) const;
+  double stored_energy(const Phase& phase, const State& y) const;
+  bool remembers() const;
+  bool may_touch_again(const State& y) const;
+
+  AnyLaw law_;
+  Mechanisms mechanisms_;
+  RelaxationBranch law_branch_;  ///< the law's own; none where its ratio is zero
+  Plate plate_;
+  ContactSetup setup_;
+  double radius_;
+  ElasticForce elastic_;
+  ContactScales scales_;
+  double peak_force_;       ///< elastic force at the scale deflection [N]
+  double pull_off_;         ///< P [N]
+  double body_compliance_;  ///< c [m/N]
+};
+
+}  // namespace rebound

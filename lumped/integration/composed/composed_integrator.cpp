@@ -1,0 +1,178 @@
+#include "lumped/integration/composed/composed_integrator.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "lumped/integration/composed/composed_trace.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+
+namespace {
+
+constexpr std::size_t most_attempts = 50'000;
+
+using Event = ComposedContact::Event;
+
+Error no_way_on() {
+  return {ExitCode::solver_failed,
+          "a mechanism leaves its range during the contact: the force has no value beyond (the "
+          "finite-sphere correction holds as long as the contact gives way more than the body)"};
+}
+
+bool ends_contact(Event event) {
+  return event == Event::released || event == Event::separated;
+}
+
+}  // namespace
+
+ComposedIntegrator::ComposedIntegrator(const ComposedContact& contact) : contact_(contact) {
+  const State scales = contact.state_scales();
+  for (std::size_t i = 0; i < scales.size(); ++i)
+    weight_[i] = 1.0 / (contact.setup().relative_tolerance * scales[i]);
+  step_ends_count_.reserve(128);
+}
+
+ComposedIntegrator::Step ComposedIntegrator::step_of(const Start& start, double length) const {
+  Step step;
+  step.take(
+      [&](const State& y) {
+        State rate;
+        contact_.derivative(start.phase, y, rate);
+        return rate;
+      },
+      start.state, start.rate, length);
+  return step;
+}
+
+/// Largest local error over its tolerance; at most 1 in an accepted step.
+double ComposedIntegrator::error_norm(const Step& step) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < weight_.size(); ++i) {
+    const double error = std::abs(step.error[i]) * weight_[i];
+    if (!(error <= largest)) largest = error;  // keeps a NaN
+  }
+  return largest;
+}
+
+double ComposedIntegrator::indicator_after(Event event, const Start& start, double length) const {
+  return contact_.indicator(event, start.phase, step_of(start, length).y);
+}
+
+/// Length of the step that ends where the indicator is zero; it changes sign within `length`.
+double ComposedIntegrator::locate(Event event, const Start& start, double length) const {
+  std::uintmax_t iterations = 100;
+  const auto bracket = boost::math::tools::toms748_solve(
+      [&](double h) { return indicator_after(event, start, h); }, 0.0, length,
+      contact_.indicator(event, start.phase, start.state), indicator_after(event, start, length),
+      boost::math::tools::eps_tolerance<double>(50), iterations);
+  return 0.5 * (bracket.first + bracket.second);
+}
+
+ComposedIntegrator::Found ComposedIntegrator::first_event(const Start& start, const Step& step,
+                                                          double length) const {
+  Found found;
+  double limit = length;
+  const auto event_functions = contact_.event_functions(start.phase);
+  for (int i = 0; i < event_functions.count; ++i) {
+    const auto [event, falling] = event_functions.list[i];
+    const double sign = falling ? 1.0 : -1.0;
+    if (!(sign * contact_.indicator(event, start.phase, start.state) > 0.0)) continue;
+    const double after = found.any ? indicator_after(event, start, limit)
+                                   : contact_.indicator(event, start.phase, step.y);
+    if (!(sign * after <= 0.0)) continue;  // a NaN is left to the error of the next step
+    found = {event, locate(event, start, limit), true};
+    // A force that vanishes together with the deflection has a flat zero there:
+    // another event counts only when it comes clearly before.
+    limit = found.length * (1.0 - 1e-9);
+  }
+  return found;
+}
+
+void ComposedIntegrator::keep(const Start& start, const Step& step, double length) {
+  step_ends_count_.push_back(
+      {start.time, length, start.phase, start.state, start.rate, step.y, step.derivative});
+}
+
+/// Goes over to the phase after the event; true when the contact has ended.
+bool ComposedIntegrator::finish_if_over(const Found& found, Start& start) {
+  if (found.event == Event::gone) {
+    step_ends_count_.resize(step_ends_at_release_);
+    return true;
+  }
+  if (ends_contact(found.event)) {
+    end_ = {start.time, start.state, start.phase};
+    step_ends_at_release_ = step_ends_count_.size();
+  }
+  const auto next = contact_.next_phase(found.event, start.phase, start.state);
+  if (!next) return true;
+  start.phase = *next;
+  contact_.derivative(start.phase, start.state, start.rate);
+  return false;
+}
+
+const ComposedEnd& ComposedIntegrator::integrate() {
+  const ContactScales& scales = contact_.scales();
+  const double tolerance = contact_.setup().relative_tolerance;
+  Start start{.time = 0.0, .phase = {}, .state = contact_.initial_state(), .rate = {}};
+  contact_.derivative(start.phase, start.state, start.rate);
+  step_ends_count_.clear();
+  double h = scales.time * std::pow(tolerance, 0.4);  // forces start with t^1.5
+  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+    Step step = step_of(start, h);
+    const double error = error_norm(step);
+    if (!std::isfinite(error)) {
+      h *= 0.1;
+      if (h < 1e-14 * scales.time) throw no_way_on();
+      continue;
+    }
+    if (error <= 1.0) {
+      const Found found = first_event(start, step, h);
+      double length = h;
+      if (found.any) {
+        length = found.length;
+        step = step_of(start, length);
+      }
+      keep(start, step, length);
+      start = {start.time + length, start.phase, step.y, step.derivative};
+      if (found.any && finish_if_over(found, start)) {
+        require_rebound({.velocity = end_.state[ComposedContact::velocity]}, contact_.setup());
+        return end_;
+      }
+      if (start.time > longest_contact * scales.time) throw contact_does_not_end();
+    }
+    h *= std::clamp(0.9f * std::pow(static_cast<float>(error), -0.2f), 0.2f, 5.0f);
+  }
+  throw Error(ExitCode::solver_failed,
+              "the fast integrator ran out of steps: something in the contact is too fast for an "
+              "explicit method");
+}
+
+ComposedContact::State state_within(const ComposedStepEnd& step_end, double fraction) {
+  const double s = fraction, r = 1.0 - s;
+  const double value0 = r * r * (1.0 + 2.0 * s), slope0 = step_end.length * s * r * r;
+  const double value1 = s * s * (1.0 + 2.0 * r), slope1 = -step_end.length * s * s * r;
+  ComposedContact::State y;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] = value0 * step_end.state[i] + slope0 * step_end.rate[i] + value1 * step_end.end_state[i] +
+           slope1 * step_end.end_rate[i];
+  return y;
+}
+
+Trace ComposedIntegrator::sample(int samples) const {
+  TraceRecorder recorder(contact_, samples);
+  std::size_t k = 0;
+  for (int i = 0; i + 1 < samples; ++i) {
+    const double instant = end_.time * i / (samples - 1);
+    while (k + 1 < step_ends_count_.size() && step_ends_count_[k + 1].time <= instant) ++k;
+    const ComposedStepEnd& step_end = step_ends_count_[k];
+    recorder.record(instant, step_end.phase,
+                    state_within(step_end, (instant - step_end.time) / step_end.length));
+  }
+  recorder.record(end_.time, end_.phase, end_.state);
+  return recorder.take();
+}
+
+}  // namespace rebound

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <vector>
+
+#include "lumped/integration/composed/composed_contact.hpp"
+#include "lumped/integration/fast/dormand_prince.hpp"
+#include "lumped/problem/trace.hpp"
+
+namespace rebound {
+
+/// How a composed contact ended.
+struct ComposedEnd {
+  double time = 0.0;  ///< contact time [s]
+  ComposedContact::State state{};
+  ContactPhase phase;
+};
+
+/// One step of a composed contact.
+struct ComposedStepEnd {
+  double time;    ///< where it begins [s]
+  double length;  ///< [s]
+  ContactPhase phase;
+  ComposedContact::State state, rate;          ///< where it begins
+  ComposedContact::State end_state, end_rate;  ///< where it ends
+};
+
+/// All states at a fraction of a step, by cubic Hermite polynomials.
+ComposedContact::State state_within(const ComposedStepEnd& step_end, double fraction);
+
+/// Integrates a composed contact by explicit steps in time: Dormand–Prince
+/// 5(4), local error of every state below the tolerance times its scale.
+///
+/// Turning points, reloading, separation and touching again are ends of steps:
+/// the step is shortened until the indicator is zero, and the next one starts
+/// in the new phase. Samples come from cubic Hermite polynomials of all states.
+///
+/// Valid:   every law, every set of mechanisms, both separation rules.
+/// Limit:   same scalars as CVODE -> test
+/// EffectBattery.EnergyBalanceClosesAndCvodeAgreesWithTheFastPath. Caution: explicit: a branch far
+/// faster or a plate far stiffer than the
+///          contact needs many steps; simulate() takes those.
+/// Errors:  Error(solver_failed) when the contact does not end or steps run out.
+class ComposedIntegrator {
+ public:
+  explicit ComposedIntegrator(const ComposedContact& contact);
+
+  const ComposedEnd& integrate();
+
+  /// Equally spaced instants of [0, contact time], both ends included.
+  Trace sample(int samples) const;
+
+  const std::vector<ComposedStepEnd>& step_ends() const { return step_ends_count_; }
+
+ private:
+  using State = ComposedContact::State;
+  using Event = ComposedContact::Event;
+  using Step = DormandPrinceStep<ComposedContact::states>;
+
+  struct Start {
+    double time = 0.0;
+    ContactPhase phase;
+    State state{}, rate{};
+  };
+  /// An event within a step, and how far into it.
+  struct Found {
+    Event event = Event::gone;
+    double length = 0.0;
+    bool any = false;
+  };
+
+  Step step_of(const Start& start, double length) const;
+  double error_norm(const Step& step) const;
+  double indicator_after(Event event, const Start& start, double length) const;
+  double locate(Event event, const Start& start, double length) const;
+  Found first_event(const Start& start, const Step& step, double length) const;
+  void keep(const Start& start, const Step& step, double length);
+  bool finish_if_over(const Found& found, Start& start);
+
+  const ComposedContact& contact_;
+  State weight_{};  ///< 1 / absolute tolerance of each state
+  ComposedEnd end_;
+  std::vector<ComposedStepEnd> step_ends_count_;
+  std::size_t step_ends_at_release_ = 0;
+};
+
+}  // namespace rebound

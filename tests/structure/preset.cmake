@@ -1,0 +1,15 @@
+# Builds one preset of CMakePresets.json in a folder of its own and runs its tests.
+# In: SOURCE, FOLDER, PRESET, TARGETS and TESTS (a regular expression).
+function(run)
+  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE status
+    OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\nended with ${status}:\n${text}")
+  endif()
+  message("${text}")
+endfunction()
+
+run(${CMAKE_COMMAND} --preset ${PRESET} -B ${FOLDER} -DREBOUND_BENCHMARKS=OFF)
+string(REPLACE "," ";" TARGETS "${TARGETS}")
+run(${CMAKE_COMMAND} --build ${FOLDER} --target ${TARGETS})
+run(${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --no-tests=error --output-on-failure -R ${TESTS})

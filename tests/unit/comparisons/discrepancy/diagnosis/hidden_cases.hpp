@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+#include "comparisons/discrepancy/synthesis/synthesize.hpp"
+
+namespace rebound::testing {
+
+/// Three speeds, Hunt–Crossley, an honest instrument; effects are added by the test.
+inline SynthesisFile experiment_with(std::vector<EffectChoice> effects, std::int64_t seed) {
+  SynthesisFile file;
+  file.seed = seed;
+  file.sphere = {.mass = 89.6e-3, .diameter = 66.2e-3};
+  file.mass_uncertainty = 1e-4;
+  file.lumped.parameters = {{"exponent", 1.5}, {"stiffness", 3.2e6}, {"damping", 7e4}};
+  file.effects = std::move(effects);
+  file.instrument.force_noise = 20.0;
+  file.instrument.force_gain_uncertainty = 0.01;
+  file.shots = {{.speed = 5.0, .speed_uncertainty = 0.02},
+                {.speed = 15.0, .speed_uncertainty = 0.05},
+                {.speed = 25.0, .speed_uncertainty = 0.1}};
+  return file;
+}
+
+/// What somebody believes: the same law, other numbers, no effect.
+inline LumpedModel believed_law() {
+  LumpedModel model;
+  model.parameters = {{"exponent", 1.5}, {"stiffness", 3.5e6}, {"damping", 8e4}};
+  return model;
+}
+
+inline Diagnosis diagnose_hidden(const SynthesisFile& file) {
+  DiagnosisRequest request;
+  request.datasets = {synthesize(file, simulator_of(file, {})).dataset};
+  request.believed = believed_law();
+  request.ask_fem = false;
+  return diagnose(request);
+}
+
+}  // namespace rebound::testing

@@ -1,0 +1,75 @@
+#include "comparisons/discrepancy/diagnosis/observe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+Dataset synthetic(const SynthesisFile& file) {
+  return synthesize(file, simulator_of(file, {})).dataset;
+}
+
+TEST(ObserveTest, NoiseIsTakenFromBeforeContactWhereNoneIsStated) {
+  SynthesisFile file = testing::experiment_with({}, 3);
+  Dataset dataset = synthetic(file);
+  dataset.instrument.force_noise.reset();
+  const Observations seen = observe({dataset});
+  ASSERT_TRUE(seen.shots[0].has_history());
+  EXPECT_NEAR(seen.shots[0].noise.deviation, 20.0, 7.5);  // three standard errors of 30 samples
+  EXPECT_NE(seen.noise_from.find("before contact"), std::string::npos);
+}
+
+TEST(ObserveTest, WithoutAnyNoiseItSaysWhatIsMissing) {
+  SynthesisFile file = testing::experiment_with({}, 3);
+  file.sampling.before = 0.0;
+  Dataset dataset = synthetic(file);
+  dataset.instrument.force_noise.reset();
+  EXPECT_FALSE(observe({dataset}).missing.empty());
+}
+
+TEST(ObserveTest, FastSamplingIsAveragedWithItsNoise) {
+  SynthesisFile file = testing::experiment_with({}, 3);
+  file.sampling.rate = 2e6;
+  const Observations seen = observe({synthetic(file)});
+  EXPECT_LT(seen.shots[0].trace.time.size(), 1500u);
+  EXPECT_LT(seen.shots[0].noise.deviation, 10.0);
+}
+
+TEST(ObserveTest, RepeatsHaveNamesOfTheirOwn) {
+  SynthesisFile file = testing::experiment_with({}, 3);
+  file.shots.push_back(file.shots.front());
+  const Dataset dataset = synthetic(file);
+  const Observations seen = observe({dataset, dataset});
+  std::set<std::string> labels;
+  for (const MeasuredImpact& shot : seen.shots) labels.insert(shot.label);
+  EXPECT_EQ(labels.size(), 8u);
+}
+
+TEST(ObserveTest, OneBallInTwoDataSetsIsOne) {
+  const Dataset dataset = synthetic(testing::experiment_with({}, 3));
+  Dataset heavier = dataset;
+  EXPECT_EQ(observe({dataset, dataset}).balls.size(), 1u);
+  heavier.sphere.mass *= 1.1;
+  const Observations two = observe({dataset, heavier});
+  ASSERT_EQ(two.balls.size(), 2u);
+  EXPECT_NE(two.balls[0].name, two.balls[1].name);
+}
+
+TEST(ObserveTest, AScalarWithoutUncertaintyIsNotUsedAndSaid) {
+  Dataset dataset;
+  dataset.name = "d";
+  dataset.sphere = {.mass = 0.1, .diameter = 0.06};
+  dataset.shots.push_back({.impact = {.speed = 5.0}, .restitution = {.value = 0.6}});
+  const Observations seen = observe({dataset});
+  EXPECT_TRUE(seen.shots.empty());
+  EXPECT_FALSE(seen.warnings.empty());
+}
+
+}  // namespace
+}  // namespace rebound

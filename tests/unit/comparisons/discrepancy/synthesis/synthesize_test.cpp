@@ -1,0 +1,129 @@
+#include "comparisons/discrepancy/synthesis/synthesize.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "comparisons/discrepancy/synthesis/truth.hpp"
+#include "comparisons/io/dataset/read_dataset.hpp"
+#include "comparisons/io/dataset/write_dataset.hpp"
+#include "comparisons/io/results/digest.hpp"
+#include "lumped/problem/error.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace rebound {
+namespace {
+
+SynthesisFile two_shots() {
+  SynthesisFile file;
+  file.sphere = {.mass = 89.6e-3, .diameter = 66.2e-3};
+  file.lumped.parameters = {{"exponent", 1.5}, {"stiffness", 3.5e6}, {"damping", 8e4}};
+  file.shots = {{.speed = 5.0}, {.speed = 15.0}};
+  return file;
+}
+
+Synthesis make(const SynthesisFile& file) {
+  return synthesize(file, simulator_of(file, {}));
+}
+
+TEST(SynthesizeTest, IdealExperimentIsTheModel) {
+  const SynthesisFile file = two_shots();
+  const Synthesis made = make(file);
+  ASSERT_EQ(made.dataset.shots.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const MeasuredImpact& shot = made.dataset.shots[i];
+    const auto& force = shot.trace.force;
+    const double peak = *std::max_element(force.begin(), force.end());
+    EXPECT_NEAR(peak / made.hidden[i].scalars.peak_force, 1.0, 1e-4);
+    double impulse = 0.0;
+    for (const double f : force) impulse += f / file.sampling.rate;
+    const double momentum =
+        file.sphere.mass * (shot.impact.speed + made.hidden[i].scalars.rebound_speed);
+    EXPECT_NEAR(impulse / momentum, 1.0, 1e-4);
+    EXPECT_EQ(made.hidden[i].speed, shot.impact.speed);
+  }
+}
+
+TEST(SynthesizeTest, ASeedMeansTheSameWhateverTheOtherShots) {
+  SynthesisFile file = two_shots();
+  file.instrument.force_noise = 20.0;
+  const Synthesis both = make(file);
+  EXPECT_EQ(make(file).dataset.shots[1].trace.force, both.dataset.shots[1].trace.force);
+  file.shots.pop_back();
+  EXPECT_EQ(make(file).dataset.shots[0].trace.force, both.dataset.shots[0].trace.force);
+  file.seed = 2;
+  EXPECT_NE(make(file).dataset.shots[0].trace.force, both.dataset.shots[0].trace.force);
+}
+
+TEST(SynthesizeTest, NoiseHasItsStandardDeviation) {
+  SynthesisFile file = two_shots();
+  file.instrument.force_noise = 20.0;
+  file.sampling.before = 1e-3;
+  file.sampling.rate = 2e6;
+  const auto force = make(file).dataset.shots[0].trace.force;
+  double square = 0.0;
+  for (std::size_t i = 0; i < 1900; ++i) square += force[i] * force[i];
+  EXPECT_NEAR(std::sqrt(square / 1900.0), 20.0, 1.5);  // 4.5 standard errors
+}
+
+TEST(SynthesizeTest, StatedUncertaintiesAreHonest) {
+  // Over many seeds the drawn gain scatters as the data set says.
+  double square = 0.0;
+  SynthesisFile file = two_shots();
+  file.shots = {{.speed = 5.0, .history = false, .restitution_uncertainty = 0.01}};
+  file.instrument.force_gain_uncertainty = 0.03;
+  const int seeds = 400;
+  for (file.seed = 0; file.seed < seeds; ++file.seed)
+    square += std::pow(make(file).true_force_gain, 2) / seeds;
+  EXPECT_NEAR(std::sqrt(square), 0.03, 0.0045);
+}
+
+TEST(SynthesizeTest, AGainFaultScalesTheForce) {
+  SynthesisFile file = two_shots();
+  const auto plain = make(file).dataset.shots[0].trace.force;
+  file.effects = {{.name = "force-gain", .size = 0.1, .parameters = {}}};
+  const auto scaled = make(file).dataset.shots[0].trace.force;
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_NEAR(scaled[i], 1.1 * plain[i], 1e-9);
+}
+
+TEST(SynthesizeTest, AMovingPlateGoesOnRinging) {
+  SynthesisFile file = two_shots();
+  file.effects = {{.name = "plate-compliance", .size = 2e-8, .parameters = {}}};
+  const auto trace = make(file).dataset.shots[0].trace;
+  EXPECT_GT(std::abs(trace.force[trace.force.size() - 10]), 50.0);
+}
+
+TEST(SynthesizeTest, TooLowASamplingRateIsRefused) {
+  SynthesisFile file = two_shots();
+  file.sampling.rate = 1e3;
+  EXPECT_THROW(make(file), Error);
+}
+
+TEST(WriteDatasetTest, RoundTrip) {
+  SynthesisFile file = two_shots();
+  file.instrument.force_noise = 20.0;
+  file.mass_uncertainty = 1e-4;
+  const Dataset made = make(file).dataset;
+  const testing::TemporaryFolder folder;
+  write_dataset(made, folder.path() / "data");
+  const Dataset read = read_dataset(folder.path() / "data");
+  ASSERT_EQ(read.shots.size(), made.shots.size());
+  EXPECT_EQ(read.shots[1].trace.force, made.shots[1].trace.force);
+  EXPECT_EQ(read.sphere.mass, made.sphere.mass);
+  EXPECT_EQ(read.mass_uncertainty, made.mass_uncertainty);
+  EXPECT_TRUE(read.shots[0].trace.deflection.empty());
+}
+
+TEST(TruthTest, ASealHoldsTheTruthsBytesAndCannotBeGuessed) {
+  const SynthesisFile file = two_shots();
+  const Json truth = truth_json(file, "text", make(file));
+  const SealedTruth one = seal(truth), other = seal(truth);
+  EXPECT_EQ(Json::parse(one.seal)["sha256"], sha256(one.truth));
+  EXPECT_NE(one.truth, other.truth);
+  EXPECT_EQ(Json::parse(one.truth)["nonce"].get<std::string>().size(), 64u);
+}
+
+}  // namespace
+}  // namespace rebound

@@ -1,0 +1,49 @@
+#include "comparisons/models/instrument/ring_down.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+/// A plate that has been ringing freely all along: the carried-on part can be
+/// held against the same formula.
+Trace ringing(const Plate& plate, double end, int samples) {
+  const double omega = std::sqrt(plate.stiffness / plate.mass);
+  Trace trace;
+  std::vector<double> y;
+  for (int i = 0; i <= samples; ++i) {
+    const double t = end * i / samples;
+    trace.time.push_back(t);
+    y.push_back(1e-4 * std::sin(omega * t));
+    trace.force.push_back(plate.stiffness * y.back());
+  }
+  trace.further = {{"plate_displacement_m", y}};
+  return trace;
+}
+
+TEST(RingDownTest, KeepsItsEnergy) {
+  const Plate plate{.stiffness = 5e7, .mass = 2.0, .damping_ratio = 0.0};
+  const Trace before = ringing(plate, 1e-3, 400);
+  const Trace after = with_ring_down(before, plate, 5e-3);
+  EXPECT_GT(after.time.back(), 5.9e-3);
+  const double omega = std::sqrt(plate.stiffness / plate.mass);
+  for (std::size_t i = before.time.size(); i < after.time.size(); ++i)
+    EXPECT_NEAR(after.force[i], 5e3 * std::sin(omega * after.time[i]), 5e3 * 1e-3);
+}
+
+TEST(RingDownTest, DampingTakesEnergy) {
+  const Plate plate{.stiffness = 5e7, .mass = 2.0, .damping_ratio = 0.1};
+  const Trace after = with_ring_down(ringing(plate, 1e-3, 400), plate, 20e-3);
+  EXPECT_LT(std::abs(after.force.back()), 100.0);
+}
+
+TEST(RingDownTest, ARigidPlateIsLeftAlone) {
+  const Trace before = ringing({.stiffness = 5e7, .mass = 2.0}, 1e-3, 100);
+  EXPECT_EQ(with_ring_down(before, {}, 1e-3).time, before.time);
+}
+
+}  // namespace
+}  // namespace rebound
