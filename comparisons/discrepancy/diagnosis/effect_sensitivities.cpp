@@ -67,6 +67,16 @@ std::vector<EffectChoice> finite_effects(const EffectCard& card) {
   return all;
 }
 
+/// One score a name: that of the parameters at which it gains most.
+void keep_best(std::vector<EffectScore>& scores, const EffectScore& score) {
+  const auto known = std::find_if(scores.begin(), scores.end(),
+                                  [&](const EffectScore& s) { return s.name == score.name; });
+  if (known == scores.end())
+    scores.push_back(score);
+  else if (score.gain_chi_square > known->gain_chi_square)
+    *known = score;
+}
+
 /// Residuals of the fitted model with one more effect, nothing refitted; empty
 /// where the effect has no form for this model, or the impact no answer.
 std::optional<Eigen::VectorXd> residuals_with(const Observations& seen, const HypothesisFit& fit,
@@ -155,17 +165,19 @@ std::vector<EffectScore> EffectSensitivities::scores() const {
     EffectScore score{.name = d.effect.name,
                       .size = -d.sensitivity.dot(r) / square,
                       .size_error = d.size_error()};
+    if (card.is_switch) {
+      // It is there or not: what it gains is that of its one size, whatever size would fit best.
+      score.size = 1.0;
+      score.gain_chi_square = std::max(0.0, -2.0 * d.sensitivity.dot(r) - square);
+      keep_best(scores, score);
+      continue;
+    }
     const double sign = card.null <= card.range.lowest    ? 1.0
                         : card.null >= card.range.highest ? -1.0
                                                           : 0.0;
     const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
     score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
-    const auto known = std::find_if(scores.begin(), scores.end(),
-                                    [&](const EffectScore& s) { return s.name == score.name; });
-    if (known == scores.end())
-      scores.push_back(score);
-    else if (score.gain_chi_square > known->gain_chi_square)
-      *known = score;
+    keep_best(scores, score);
   }
   return scores;
 }

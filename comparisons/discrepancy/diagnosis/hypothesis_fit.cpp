@@ -44,8 +44,10 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     fit.chi_square += square;
     if (i < data) fit.data_chi_square += square;
   }
+  // To choose a switch is a choice as well: it counts as one number.
   for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
-    fit.effect_unknowns += static_cast<int>(model->unknowns_of_effect(k).size());
+    fit.effect_unknowns +=
+        std::max(1, static_cast<int>(model->unknowns_of_effect(k).size()));
   const auto priors = static_cast<int>(fit.residuals.size() - data);
   fit.freedom =
       std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));

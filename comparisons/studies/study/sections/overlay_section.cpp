@@ -17,6 +17,18 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
   return result;
 }
 
+Series series_of(const std::string& name, Origin origin, Series::Role role) {
+  return {.name = name,
+          .origin = origin,
+          .role = role,
+          .x = {},
+          .y = {},
+          .x_error = {},
+          .y_error = {},
+          .y_low = {},
+          .y_high = {}};
+}
+
 /// The FE trace up to the end of contact, with the two meshes as its band.
 struct FemCurve {
   Trace trace;
@@ -40,17 +52,8 @@ FemCurve fem_curve(const StudyShot& shot) {
   return curve;
 }
 
-report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
-  const StudyShot& shot = core.shots[s];
-  const FemCurve fem = fem_curve(shot);
-  report::Overlay overlay{
-      .key = overlay_key(core, shot),
-      .title = fmt::format("Core {} at {:g} m/s", core.label, shot.measured.impact.speed),
-      .note =
-          "The measurement published no traces: only scalars are drawn "
-          "as measured.",
-      .figures = {},
-      .tables = {}};
+/// The three views of one impact: what is added goes into each.
+struct Views {
   report::Figure loop{.title = "Force against deflection",
                       .caption =
                           "Deflection of the centre of mass. Points: peaks that the paper "
@@ -68,17 +71,9 @@ report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
                         .x = {"time", "ms"},
                         .y = {"deflection", "mm"},
                         .series = {}};
-  const auto add = [&](const std::string& name, Origin origin, Series::Role role,
-                       const Trace& trace) {
-    Series series{.name = name,
-                  .origin = origin,
-                  .role = role,
-                  .x = {},
-                  .y = {},
-                  .x_error = {},
-                  .y_error = {},
-                  .y_low = {},
-                  .y_high = {}};
+
+  void add(const std::string& name, Origin origin, Series::Role role, const Trace& trace) {
+    Series series = series_of(name, origin, role);
     series.x = scaled(trace.deflection, milli);
     series.y = trace.force;
     loop.series.push_back(series);
@@ -86,47 +81,56 @@ report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
     history.series.push_back(series);
     series.y = scaled(trace.deflection, milli);
     motion.series.push_back(series);
-  };
+  }
+};
+
+void add_models(const CoreStudy& core, std::size_t s, Views& views) {
   // Restitution and contact time were fitted; no trace was.
-  add("FE", Origin::predicted, Series::Role::reference, fem.trace);
-  history.series.back().y_low = fem.force_low;
-  history.series.back().y_high = fem.force_high;
+  const FemCurve fem = fem_curve(core.shots[s]);
+  views.add("FE", Origin::predicted, Series::Role::reference, fem.trace);
+  views.history.series.back().y_low = fem.force_low;
+  views.history.series.back().y_high = fem.force_high;
   for (std::size_t l = 0; l < core.laws.size(); ++l) {
     if (!core.benchmark.cells[l][s].failure.empty()) continue;
     const LumpedResult law = simulate({.sphere = core.data.sphere,
-                                       .impact = shot.problem.impact,
+                                       .impact = core.shots[s].problem.impact,
                                        .model = core.laws[l].model,
                                        .controls = {.samples = 201}});
     const Origin origin = core.laws[l].fit ? Origin::fitted : Origin::predicted;
-    add(core.laws[l].label, origin, Series::Role::candidate, law.trace);
+    views.add(core.laws[l].label, origin, Series::Role::candidate, law.trace);
   }
-  for (const auto& peak : core.data.pooled_peaks) {
-    if (peak.speed != shot.measured.impact.speed) continue;
-    loop.series.push_back({.name = "typical peaks, four cores",
-                           .origin = Origin::measured,
-                           .style = Series::Style::points,
-                           .role = Series::Role::reference,
-                           .x = {milli * peak.deflection},
-                           .y = {peak.force},
-                           .x_error = {},
-                           .y_error = {},
-                           .y_low = {},
-                           .y_high = {}});
-  }
-  if (shot.measured.contact_time.value)
-    motion.series.push_back(
-        {.name = "contact time",
-         .origin = Origin::measured,
-         .style = Series::Style::points,
-         .role = Series::Role::reference,
-         .x = {milli * *shot.measured.contact_time.value},
-         .y = {0.0},
-         .x_error = {milli * shot.measured.contact_time.uncertainty.value_or(0)},
-         .y_error = {},
-         .y_low = {},
-         .y_high = {}});
-  overlay.figures = {loop, history, motion};
-  return overlay;
+}
+
+void add_measured(const CoreStudy& core, const StudyShot& shot, Views& views) {
+  const auto point = [](const std::string& name, double x, double y) {
+    Series series = series_of(name, Origin::measured, Series::Role::reference);
+    series.style = Series::Style::points;
+    series.x = {x};
+    series.y = {y};
+    return series;
+  };
+  for (const auto& peak : core.data.pooled_peaks)
+    if (peak.speed == shot.measured.impact.speed)
+      views.loop.series.push_back(
+          point("typical peaks, four cores", milli * peak.deflection, peak.force));
+  const Measured& time = shot.measured.contact_time;
+  if (!time.value) return;
+  views.motion.series.push_back(point("contact time", milli * *time.value, 0.0));
+  views.motion.series.back().x_error = {milli * time.uncertainty.value_or(0)};
+}
+
+report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
+  const StudyShot& shot = core.shots[s];
+  Views views;
+  add_models(core, s, views);
+  add_measured(core, shot, views);
+  return {.key = overlay_key(core, shot),
+          .title = fmt::format("Core {} at {:g} m/s", core.label, shot.measured.impact.speed),
+          .note =
+              "The measurement published no traces: only scalars are drawn "
+              "as measured.",
+          .figures = {views.loop, views.history, views.motion},
+          .tables = {}};
 }
 
 report::Table scalar_table(const CoreStudy& core, std::size_t s) {

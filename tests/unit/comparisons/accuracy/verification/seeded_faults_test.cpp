@@ -79,7 +79,7 @@ TEST_F(SeededFaultsTest, AFaultThatIsNewOrChangedFails) {
   EXPECT_EQ(rows()[1].result, 1.0);
 }
 
-TEST_F(SeededFaultsTest, AnOutcomeOfOtherSourcesIsStale) {
+TEST_F(SeededFaultsTest, AnOutcomeOfOtherSourcesIsStaleAndFails) {
   list();
   results(recorded(caught_line, "caught") + recorded(survived_line, "caught"));
   EXPECT_TRUE(all_pass(rows()));
@@ -87,6 +87,7 @@ TEST_F(SeededFaultsTest, AnOutcomeOfOtherSourcesIsStale) {
   EXPECT_TRUE(all_pass(rows())) << "a comment and a line break make nothing stale";
   std::ofstream(mutated()) << "x = -x + 1;  // sign\n";
   EXPECT_EQ(rows()[2].result, 2.0);
+  EXPECT_FALSE(rows()[2].passes());
   EXPECT_NE(to_text(faults()).find("stale"), std::string::npos);
   std::filesystem::remove(mutated());
   EXPECT_EQ(rows()[2].result, 2.0) << "the mutated file has gone";
