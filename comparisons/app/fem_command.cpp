@@ -99,7 +99,9 @@ Outcome simulate(FemProblem problem, Errors errors) {
 ExitCode run_fem(const Session& session, const std::string& file, Errors errors) {
   const Document document = Document::load(file);
   const FemImpactFile impact_file = read_fem_impact(document);
-  FemProblem problem = applied(impact_file, document);
+  FemProblem problem =
+      applied({.problem = impact_file.problem, .effects = without_measurement(impact_file.effects)},
+              document);
   prepare_output(session, document, problem);
   Outcome outcome;
   try {

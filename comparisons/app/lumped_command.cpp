@@ -52,7 +52,9 @@ enum class Derivatives { none, printed };
 ExitCode run_lumped(const Session& session, const std::string& file, Derivatives derivatives) {
   const Document document = Document::load(file);
   const LumpedImpactFile impact_file = read_lumped_impact(document);
-  const LumpedProblem problem = applied(impact_file, document);
+  const LumpedProblem problem =
+      applied({.problem = impact_file.problem, .effects = without_measurement(impact_file.effects)},
+              document);
   if (!session.out.empty()) make_writable_folder(session.out);
   const LumpedResult result = located(document, [&] { return simulate(problem); });
   check_deflection(document, problem.sphere, result.scalars.peak_deflection);

@@ -53,6 +53,16 @@ void print_result(const Session& session, const Json& result) {
   }
 }
 
+std::vector<EffectChoice> without_measurement(const std::vector<EffectChoice>& effects) {
+  for (const EffectChoice& effect : effects)
+    if (find_effect(effect.name).card.kind == EffectKind::measurement)
+      fmt::print(stderr,
+                 "rebound: {} is a fault of the measurement and does not act on the impact; "
+                 "'rebound synthesize' applies it\n",
+                 effect.name);
+  return physical_effects(effects);
+}
+
 void require_complete(const Session& session, const std::string& file,
                       const std::string& incomplete_because) {
   if (incomplete_because.empty()) return;

@@ -40,6 +40,9 @@ void check_mechanisms(const Mechanisms& mechanisms, const AnyLaw& law, double ra
   require_limits(mechanisms.elastic, {"elastic", -1, &at});
   require_limits(mechanisms.damping, {"damping", -1, &at});
   require_limits(mechanisms.relaxation, {"relaxation", -1, &at});
+  for (int k = 0; k < static_cast<int>(mechanisms.further_relaxation.size()); ++k)
+    require_limits(mechanisms.further_relaxation[static_cast<std::size_t>(k)],
+                   {"further_relaxation", k, &at});
   require_limits(mechanisms.memory, {"memory", -1, &at});
   require_limits(mechanisms.finite_sphere, {"finite_sphere", -1, &at});
   require_limits(mechanisms.mode, {"mode", -1, &at});

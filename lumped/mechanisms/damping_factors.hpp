@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumped/mechanisms/factor_curve.hpp"
 #include "lumped/mechanisms/reference_scales.hpp"
 #include "lumped/problem/mechanisms.hpp"
 
@@ -10,7 +11,7 @@ namespace rebound {
 
 /// Damping force of a law with its factors, and a linear dashpot beside it.
 ///
-///   F_d (x/x_r)^a |ẋ/v_r|^b + c ẋ
+///   F_d (x/x_r)^a |ẋ/v_r|^b · curve(x/R) · curve(|ẋ|) + c ẋ
 ///
 ///   x, ẋ   deflection [m] and its rate [m/s] as the law sees them
 ///   c      dashpot [N s/m]
@@ -35,6 +36,8 @@ double damping_force(const Law& law, const DampingFactors& factors, double radiu
   if (factors.velocity_exponent != 0.0)
     force *=
         rate == 0.0 ? 0.0 : std::pow(std::abs(rate) / reference_speed, factors.velocity_exponent);
+  force *= curve_factor(factors.deflection_curve, std::abs(x) / radius) *
+           curve_factor(factors.rate_curve, std::abs(rate));
   return force + factors.dashpot * rate;
 }
 

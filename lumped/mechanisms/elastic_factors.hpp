@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lumped/mechanisms/factor_curve.hpp"
 #include "lumped/mechanisms/reference_scales.hpp"
 #include "lumped/problem/mechanisms.hpp"
 
@@ -10,6 +11,7 @@ namespace rebound {
 /// Product of the factors on the elastic force that depend on deflection.
 ///
 ///   (x/x_r)^a · (1 + b x/R) · {1 − c [1 − e^(−20 x/R)]} · (1 + d ⟨x/R − ¼⟩²) · (1 + l e^(−10 x/R))
+///   · curve(x/R)
 ///
 ///   ratio   x/R, ≥ 0 [-]       x_r = R/10       ⟨·⟩ positive part
 ///
@@ -25,7 +27,7 @@ inline double elastic_factor(const ElasticFactors& factors, double ratio) {
   if (factors.densification != 0.0 && ratio > 0.25)
     product *= 1.0 + factors.densification * (ratio - 0.25) * (ratio - 0.25);
   if (factors.layer != 0.0) product *= 1.0 + factors.layer * std::exp(-10.0 * ratio);
-  return product;
+  return product * curve_factor(factors.curve, ratio);
 }
 
 /// Factor on the stiffness at impact speed v₀: (v₀/v_r)^r, constant over one impact.

@@ -74,7 +74,7 @@ double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
 
 double ElasticForce::unloading_integral(double remaining, double largest) const {
   const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
-  if (memory_.hysteresis == 0.0) return share * elastic_energy(remaining);
+  if (!memory_.weakens()) return share * elastic_energy(remaining);
   return share * Gauss::integrate(
                      [&](double u) {
                        return 2.0 * u * elastic_force(u * u) *

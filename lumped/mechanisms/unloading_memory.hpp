@@ -2,11 +2,12 @@
 
 #include <cmath>
 
+#include "lumped/mechanisms/factor_curve.hpp"
 #include "lumped/problem/mechanisms.hpp"
 
 /// Elastic force below the largest deflection so far, x_max.
 ///
-///   F = F_e(η) [1 − h (1 − η/x_max)],   η = ⟨(x − p x_max)/(1 − p)⟩
+///   F = F_e(η) [1 − h (1 − η/x_max)] · curve(η/x_max),   η = ⟨(x − p x_max)/(1 − p)⟩
 ///
 ///   p   permanent set: residual over largest deflection [-]
 ///   h   hysteresis: share of the force lost at η → 0    [-]
@@ -14,7 +15,8 @@
 /// At x = x_max the force is F_e(x_max): loading is the law's own, unloading
 /// and reloading run on this curve until x passes x_max. For F_e = κ xⁿ and
 /// h = 0 it is F_max [(x − p x_max)/((1 − p) x_max)]ⁿ. Damping stays at x.
-/// Valid:   0 ≤ p < 1, 0 ≤ h ≤ 1; rate-independent.
+/// Valid:   0 ≤ p < 1, 0 ≤ h ≤ 1; rate-independent; a curve that ends at zero, so that the force
+///          has no jump where unloading begins.
 /// Limit:   of an elastic law with set, e² = 1 − p and the dent left is p x_max
 ///          -> test PermanentSetTest.LeavesItsShareOfTheLargestDeflection.
 /// Caution: with both, hysteresis works on the deflection that is left, η.
@@ -32,8 +34,9 @@ inline double remaining_deflection(const UnloadingMemory& memory, double x, doub
 /// Factor on the elastic force at the remaining deflection η; even in η, as laws
 /// are continued oddly below zero.
 inline double hysteresis_factor(const UnloadingMemory& memory, double remaining, double largest) {
-  if (memory.hysteresis == 0.0 || largest <= 0.0) return 1.0;
-  return 1.0 - memory.hysteresis * (1.0 - std::abs(remaining) / largest);
+  if (!memory.weakens() || largest <= 0.0) return 1.0;
+  const double share = std::abs(remaining) / largest;
+  return (1.0 - memory.hysteresis * (1.0 - share)) * curve_factor(memory.curve, share);
 }
 
 }  // namespace rebound

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "lumped/problem/plate.hpp"
 
 /// What acts on a lumped impact beside its contact law. Every record at its
@@ -9,6 +11,16 @@
 /// in lumped/mechanisms, one file each.
 namespace rebound {
 
+/// A factor 1 + g without a formula: g by its values at evenly spaced points from zero to `end`
+/// (lumped/mechanisms/factor_curve.hpp).
+struct FactorCurve {
+  static constexpr std::size_t points = 6;
+  std::array<double, points> value{};
+  double end = 0.0;  ///< of what the factor depends on; 0: no curve
+
+  friend bool operator==(const FactorCurve&, const FactorCurve&) = default;
+};
+
 /// Factors on F_e(x), all multiplied.
 struct ElasticFactors {
   double exponent = 0.0;       ///< a in (x/x_r)^a [-]
@@ -17,6 +29,7 @@ struct ElasticFactors {
   double densification = 0.0;  ///< d in 1 + d ⟨x/R − ¼⟩² [-]
   double layer = 0.0;          ///< l in 1 + l e^(−10 x/R) [-]
   double rate_exponent = 0.0;  ///< r in (v₀/v_r)^r [-]
+  FactorCurve curve{};         ///< over x/R
 
   static constexpr auto limits() {
     return std::tuple{
@@ -35,6 +48,8 @@ struct DampingFactors {
   double exponent = 0.0;           ///< a in (x/x_r)^a [-]
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
+  FactorCurve deflection_curve{};  ///< over x/R
+  FactorCurve rate_curve{};        ///< over |ẋ| [m/s]
 
   static constexpr auto limits() {
     return std::tuple{
@@ -62,6 +77,10 @@ struct RelaxationBranch {
 struct UnloadingMemory {
   double hysteresis = 0.0;     ///< s in F_e [1 − s (1 − x/x_max)] [-]
   double permanent_set = 0.0;  ///< residual over largest deflection [-]
+  FactorCurve curve{};         ///< over η/x_max, of the force below x_max
+
+  /// Does the elastic force fall below the law's own while unloading?
+  bool weakens() const { return hysteresis != 0.0 || curve.end != 0.0; }
 
   static constexpr auto limits() {
     return std::tuple{
@@ -101,6 +120,7 @@ struct Mechanisms {
   ElasticFactors elastic;
   DampingFactors damping;
   RelaxationBranch relaxation;
+  std::array<RelaxationBranch, 2> further_relaxation;
   UnloadingMemory memory;
   FiniteSphere finite_sphere;
   InternalMode mode;
@@ -117,6 +137,7 @@ struct Mechanisms {
   /// Is there anything that the bare law does not do?
   bool act() const {
     return elastic != ElasticFactors{} || damping != DampingFactors{} || relaxation.ratio != 0.0 ||
+           further_relaxation[0].ratio != 0.0 || further_relaxation[1].ratio != 0.0 ||
            memory != UnloadingMemory{} || finite_sphere.share != 0.0 || mode.mass_fraction != 0.0 ||
            plate.moves() || plate.friction != 0.0 || adhesion != 0.0 || gravity != 0.0;
   }

@@ -8,12 +8,10 @@
 #include <set>
 
 #include "lumped/problem/error.hpp"
+#include "meshes/gmsh/element_types.hpp"
 
 namespace rebound {
 namespace {
-
-// Gmsh's numbers for element types.
-constexpr int line_type = 1, triangle_type = 2, quadrilateral_type = 3;
 
 /// Nodes of one element under its tag, with the region it is in.
 template <std::size_t count>
@@ -82,7 +80,8 @@ class Collector {
   }
 
   [[noreturn]] void refuse_type(int type) const {
-    if (type == triangle_type) refuse("the mesh has triangles; only quadrilaterals are used");
+    if (type == gmsh_element::triangle)
+      refuse("the mesh has triangles; only quadrilaterals are used");
     std::string name;
     int dimension = 0, order = 0, nodes = 0, corners = 0;
     std::vector<double> local;
@@ -96,7 +95,7 @@ class Collector {
     gmsh::model::getEntities(surfaces, 2);
     std::vector<Element<4>> cells;
     for (const auto& [dimension, surface] : surfaces)
-      add_elements(2, surface, quadrilateral_type, region_of(surface), cells);
+      add_elements(2, surface, gmsh_element::quadrilateral, region_of(surface), cells);
     std::sort(cells.begin(), cells.end(), by_tag<4>);
     return cells;
   }
@@ -153,7 +152,7 @@ class Collector {
       if (name != wanted) continue;
       std::vector<int> curves;
       gmsh::model::getEntitiesForPhysicalGroup(1, group, curves);
-      for (const int curve : curves) add_elements(1, curve, line_type, -1, lines);
+      for (const int curve : curves) add_elements(1, curve, gmsh_element::line, -1, lines);
     }
     std::sort(lines.begin(), lines.end(), by_tag<2>);
     std::vector<std::array<int, 2>> edges;

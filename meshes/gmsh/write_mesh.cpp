@@ -7,13 +7,12 @@
 #include <iterator>
 
 #include "lumped/problem/error.hpp"
+#include "meshes/gmsh/element_types.hpp"
 #include "meshes/gmsh/gmsh_session.hpp"
 #include "meshes/gmsh/gmsh_work.hpp"
 
 namespace rebound {
 namespace {
-
-constexpr int line_type = 1, quadrilateral_type = 3;
 
 /// Adds one group with an entity of its own; `first` is the number of its first element.
 template <class Elements>
@@ -26,8 +25,8 @@ void add_group(int dimension, int group, const std::string& name, const Elements
     for (const int vertex : element) nodes.push_back(static_cast<std::size_t>(vertex) + 1);
   }
   gmsh::model::addDiscreteEntity(dimension, group);
-  gmsh::model::mesh::addElementsByType(group, dimension == 1 ? line_type : quadrilateral_type, tags,
-                                       nodes);
+  gmsh::model::mesh::addElementsByType(
+      group, dimension == 1 ? gmsh_element::line : gmsh_element::quadrilateral, tags, nodes);
   gmsh::model::addPhysicalGroup(dimension, {group}, group);
   gmsh::model::setPhysicalName(dimension, group, name);
 }
@@ -45,7 +44,7 @@ void add_cells(const Mesh& mesh, std::size_t first) {
     if (tags.empty()) continue;
     const int entity = region < 0 ? static_cast<int>(regions) + 3 : region + 3;
     gmsh::model::addDiscreteEntity(2, entity);
-    gmsh::model::mesh::addElementsByType(entity, quadrilateral_type, tags, nodes);
+    gmsh::model::mesh::addElementsByType(entity, gmsh_element::quadrilateral, tags, nodes);
     if (region < 0) continue;
     gmsh::model::addPhysicalGroup(2, {entity}, entity);
     gmsh::model::setPhysicalName(

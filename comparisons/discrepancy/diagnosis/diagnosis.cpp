@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
@@ -15,8 +16,6 @@
 namespace rebound {
 namespace {
 
-constexpr double same_speed = 1e-6;
-
 /// What may be missing: everything in the list that the model does not have.
 std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
   std::vector<std::string> names;
@@ -24,25 +23,11 @@ std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present
     const bool known = std::any_of(present.begin(), present.end(), [&](const EffectChoice& e) {
       return e.name == effect.card.name;
     });
-    if (!known && (effect.to_lumped || effect.to_measurement)) names.push_back(effect.card.name);
+    const bool named = !effect.card.is_free_form;
+    if (!known && named && (effect.to_lumped || effect.to_measurement))
+      names.push_back(effect.card.name);
   }
   return names;
-}
-
-/// The speed that is kept from every fit; empty when there are too few.
-std::optional<double> choose_held_out(const DiagnosisRequest& request, const Observations& all) {
-  if (!request.hold_out) return std::nullopt;
-  std::set<double> speeds;
-  for (const auto& shot : all.shots) speeds.insert(shot.impact.speed);
-  if (request.held_out_speed) {
-    for (const double speed : speeds)
-      if (std::abs(speed / *request.held_out_speed - 1.0) < same_speed) return speed;
-    throw Error(ExitCode::bad_input, "no shot of the data has the speed to be held out",
-                {.key = "hold-out", .value = fmt::format("{:g} m/s", *request.held_out_speed)});
-  }
-  constexpr std::size_t fewest_speeds = 3;
-  if (speeds.size() < fewest_speeds) return std::nullopt;
-  return *std::next(speeds.begin(), static_cast<std::ptrdiff_t>(speeds.size() / 2));
 }
 
 /// What the data lack for any verdict; empty when they are enough.
@@ -86,7 +71,7 @@ void report_progress(const RunControl& whole, double fraction) {
 
 AssessedFit judge_believed(const Observations& seen, const Hypothesis& believed,
                            const DiagnosisRequest& request, const RunControl& control) {
-  return judge(seen, fit_hypothesis(seen, believed, control), absent_effects(believed.effects),
+  return judge(seen, fit_believed(seen, believed, control), absent_effects(believed.effects),
                request.rules, request.seed);
 }
 
@@ -148,12 +133,14 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.seed = request.seed;
   const Observations all = observe(request.datasets);
   d.warnings = all.warnings;
-  d.held_out_speed = choose_held_out(request, all);
-  std::vector<bool> fitted, left_out;
-  for (const auto& shot : all.shots) {
-    left_out.push_back(d.held_out_speed && shot.impact.speed == *d.held_out_speed);
-    fitted.push_back(!left_out.back());
-  }
+  std::vector<bool> left_out(all.shots.size(), false);
+  if (request.hold_out)
+    if (const auto cluster = choose_held_out(all, request.held_out_speed)) {
+      d.held_out_speed = cluster->speed;
+      for (const std::size_t shot : cluster->shots) left_out[shot] = true;
+    }
+  std::vector<bool> fitted = left_out;
+  fitted.flip();
   d.seen = std::make_shared<const Observations>(subset(all, fitted));
   d.unseen = std::make_shared<const Observations>(subset(all, left_out));
   if (!d.held_out_speed && request.hold_out)
@@ -172,6 +159,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.gap.before = d.believed.fit.reduced_chi_square();
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();
   if (d.held_out_speed) predict_held_out(d);
+  withhold_what_the_unseen_speed_denies(d);
   return d;
 }
 

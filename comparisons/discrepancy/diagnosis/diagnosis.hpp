@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/free_forms.hpp"
+#include "comparisons/discrepancy/diagnosis/named_effect.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
 #include "comparisons/io/dataset/dataset.hpp"
@@ -15,36 +17,22 @@ namespace rebound {
 
 enum class DiagnosisVerdict {
   agrees,
-  missing,
-  one_of,
-  unexplained,
-  measurement_fault,
+  missing,            ///< one effect, by name
+  family,             ///< what the missing force depends on, but no name
+  one_of,             ///< effects that the data do not tell apart
+  unexplained,        ///< nothing in the list
+  measurement_fault,  ///< of the measuring chain
   insufficient_data
 };
-
-/// As scripts read it, e.g. "one-of".
-std::string name_of(DiagnosisVerdict verdict);
-
-/// A number with its 95 % interval, SI.
-struct NumberWithInterval {
-  std::string name;
-  double value = 0.0, low = 0.0, high = 0.0;
-};
-
-/// An effect that every candidate has in common.
-struct NamedEffect {
-  EffectChoice effect;
-  NumberWithInterval size;
-  std::vector<NumberWithInterval> parameters;
-  std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
-  std::string fem = "not-run";
-};
-
-/// The largest size of an effect that the data leave possible (95 %).
-struct ExcludedSize {
-  std::string name;
-  double size = 0.0;
-};
+constexpr auto names_of(DiagnosisVerdict) {
+  return names_list<DiagnosisVerdict>({{"agrees", DiagnosisVerdict::agrees},
+                                       {"missing", DiagnosisVerdict::missing},
+                                       {"family", DiagnosisVerdict::family},
+                                       {"one-of", DiagnosisVerdict::one_of},
+                                       {"unexplained", DiagnosisVerdict::unexplained},
+                                       {"measurement-fault", DiagnosisVerdict::measurement_fault},
+                                       {"insufficient-data", DiagnosisVerdict::insufficient_data}});
+}
 
 /// Reduced whitened χ², 1 is the noise; absent where not computed.
 struct Gap {
@@ -55,8 +43,8 @@ struct DiagnosisRequest {
   std::vector<Dataset> datasets;
   LumpedModel believed;
   std::vector<EffectChoice> believed_effects;  ///< those the model already has
-  /// Shots at this nominal speed take no part in any fit; empty: the middle one
-  /// of three speeds or more. [m/s]
+  /// Shots at this speed (as well as it is known) take no part in any fit; empty: the middle
+  /// one of three speeds or more. [m/s]
   std::optional<double> held_out_speed;
   bool hold_out = true;
   /// May FE be asked what it adds to the believed model? Where it is not built: no.
@@ -69,6 +57,8 @@ struct DiagnosisRequest {
 /// A whole diagnosis: the verdict, and what it rests on.
 struct Diagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::insufficient_data;
+  /// That all candidates share; none where they differ or there is nothing to explain.
+  EffectFamily family = EffectFamily::none;
   std::vector<NamedEffect> effects;
   std::vector<std::vector<std::string>> candidates;  ///< sets not to be told apart
   std::vector<ExcludedSize> excluded;
@@ -76,6 +66,8 @@ struct Diagnosis {
   std::vector<std::string> needed;
   std::vector<std::string> warnings;
   std::vector<NextExperiment> next;
+  std::string
+      withheld;  ///< why a single candidate got no name; empty: it got one, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
   std::optional<double> held_out_speed;

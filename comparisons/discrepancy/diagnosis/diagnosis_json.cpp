@@ -36,6 +36,26 @@ Json effect_json(const NamedEffect& named) {
           {"tiers", {{"lumped", named.lumped}, {"fem", named.fem}}}};
 }
 
+Json excluded_json(const ExcludedSize& excluded) {
+  const EffectCard& card = find_effect(excluded.name).card;
+  Json over = Json::array();
+  for (const auto& range : excluded.over)
+    for (const auto& parameter : card.parameters)
+      if (parameter.name == range.parameter)
+        over.push_back({{"name", range.parameter},
+                        {"range", {range.lowest, range.highest}},
+                        {"unit", or_one(unit_name(parameter.dimension))}});
+  return {{"name", excluded.name},
+          {"size", excluded.size},
+          {"unit", or_one(size_unit(card))},
+          {"over", over}};
+}
+
+Json form_of(const Diagnosis& d) {
+  if (d.verdict == DiagnosisVerdict::missing) return "named";
+  return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
+}
+
 std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
@@ -45,11 +65,15 @@ std::string text_of(const std::optional<double>& value) {
 Json to_json(const Diagnosis& d) {
   Json effects = Json::array(), excluded = Json::array(), next = Json::array(),
        where = Json::array();
+  Json curves = Json::array();
   for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
-  for (const auto& e : d.excluded)
-    excluded.push_back({{"name", e.name},
-                        {"size", e.size},
-                        {"unit", or_one(size_unit(find_effect(e.name).card))}});
+  for (const FactorBand& band : d.curves)
+    curves.push_back({{"of", band.of},
+                      {"x", band.x},
+                      {"factor", band.factor},
+                      {"low", band.low},
+                      {"high", band.high}});
+  for (const auto& e : d.excluded) excluded.push_back(excluded_json(e));
   for (const auto& e : d.next)
     next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
   for (const auto& cell : d.where)
@@ -59,6 +83,11 @@ Json to_json(const Diagnosis& d) {
                      {"z", cell.z}});
   return {{"schema", 1},
           {"verdict", name_of(d.verdict)},
+          {"family", d.family == EffectFamily::none ? Json(nullptr) : Json(name_of(d.family))},
+          {"form", form_of(d)},
+          {"curve", curves.empty() ? Json(nullptr) : curves.front()},
+          {"curves", curves},
+          {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
           {"effects", effects},
           {"candidates", d.candidates},
           {"excluded_above", excluded},
@@ -103,7 +132,13 @@ std::string headline(const Diagnosis& d) {
                  : "Missing from the model: " + sized() +
                        "; what is left then, nothing in the list "
                        "explains.";
-    case DiagnosisVerdict::insufficient_data: return "Not enough data for a verdict.";
+    case DiagnosisVerdict::insufficient_data:
+      return d.effects.empty() ? std::string("Not enough data for a verdict.")
+                               : "Missing from the model: " + sized() +
+                                     "; what is left then, these data cannot put to a test.";
+    case DiagnosisVerdict::family:
+      return fmt::format("Something of the family '{}' is missing; no name: {}.", name_of(d.family),
+                         d.withheld);
     case DiagnosisVerdict::one_of: {
       std::string sets;
       for (const auto& names : d.candidates) {
@@ -133,6 +168,7 @@ std::string to_text(const Diagnosis& d) {
                    d.seen->shots[cell.shot].impact.speed, name_of(cell.phase), name_of(cell.what),
                    cell.z);
   }
+  if (!d.withheld.empty()) fmt::format_to(out, "withheld  {}\n", d.withheld);
   for (const auto& needed : d.needed) fmt::format_to(out, "needed    {}\n", needed);
   for (const auto& e : d.next)
     fmt::format_to(out, "next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],

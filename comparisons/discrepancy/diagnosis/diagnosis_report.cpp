@@ -21,6 +21,7 @@ report::Notice::Level level_of(DiagnosisVerdict verdict) {
   switch (verdict) {
     case DiagnosisVerdict::agrees:
     case DiagnosisVerdict::missing: return Level::finding;
+    case DiagnosisVerdict::family:
     case DiagnosisVerdict::one_of:
     case DiagnosisVerdict::unexplained:
     case DiagnosisVerdict::insufficient_data: return Level::abstention;
@@ -91,15 +92,21 @@ report::Table excluded_table(const Diagnosis& d) {
   report::Table table{.title = "Excluded above",
                       .caption =
                           "The largest size of each effect that these data leave possible, "
-                          "at 95 %, one at a time.",
+                          "at 95 %, one at a time, wherever its further numbers lie in the ranges "
+                          "beside it.",
                       .columns = {{"effect", "", Kind::text, {}},
                                   {"size", "SI", Kind::number, Origin::derived},
-                                  {"unit", "", Kind::text, {}}},
+                                  {"unit", "", Kind::text, {}},
+                                  {"further numbers, SI", "", Kind::text, {}}},
                       .rows = {}};
   for (const auto& e : d.excluded) {
     const std::string unit = size_unit(find_effect(e.name).card);
-    table.rows.push_back(
-        {text_cell(e.name), number_cell(e.size, 2), text_cell(unit.empty() ? "1" : unit)});
+    std::string over;
+    for (const auto& range : e.over)
+      over += fmt::format("{}{} {:.3g} to {:.3g}", over.empty() ? "" : ", ", range.parameter,
+                          range.lowest, range.highest);
+    table.rows.push_back({text_cell(e.name), number_cell(e.size, 2),
+                          text_cell(unit.empty() ? "1" : unit), text_cell(over)});
   }
   return table;
 }
@@ -126,6 +133,8 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
       .title = "Diagnosis: " + name, .folding = report::Section::Folding::open, .blocks = {}};
   section.blocks.push_back(report::Notice{level_of(d.verdict), headline(d)});
   if (d.seen) section.blocks.push_back(report::Paragraph{gap_sentence(d)});
+  if (!d.withheld.empty())
+    section.blocks.push_back(report::Paragraph{"No name: " + d.withheld + "."});
   for (const auto& needed : d.needed)
     section.blocks.push_back(report::Paragraph{"Needed: " + needed + "."});
   if (!d.next.empty()) section.blocks.push_back(next_table(d));

@@ -16,6 +16,9 @@ constexpr double size_step = 0.05;       // of the prior scale
 constexpr double invisible = 1e-3;       // |d| per prior scale: a thousandth of σ in all the data
 constexpr double fully_absorbed = 1e-6;  // share of |∂r/∂s|² left over: the fit's own unknown
 
+/// On the default of a further parameter: where effects are looked at.
+const std::vector<double> parameter_factors{0.1, 0.3, 1.0, 3.0, 10.0};
+
 /// `effect` with every combination of these factors on its fitted parameters.
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
                                           const std::vector<double>& factors) {
@@ -43,7 +46,7 @@ std::vector<EffectChoice> small_effects(const EffectCard& card) {
     const double step = size_step * card.prior_scale;
     small.size = card.null + step <= card.range.highest ? card.null + step : card.null - step;
   }
-  return over_parameters(card, small, {0.1, 0.3, 1.0, 3.0, 10.0});
+  return over_parameters(card, small, parameter_factors);
 }
 
 /// Where searches may start.
@@ -52,8 +55,7 @@ std::vector<EffectChoice> finite_effects(const EffectCard& card) {
   const auto add = [&](double size) {
     if (size < card.range.lowest || size > card.range.highest) return;
     const EffectChoice one{.name = card.name, .size = size, .parameters = {}};
-    for (auto& choice : over_parameters(card, one, {0.1, 0.3, 1.0, 3.0, 10.0}))
-      all.push_back(choice);
+    for (auto& choice : over_parameters(card, one, parameter_factors)) all.push_back(choice);
   };
   if (card.is_switch) {
     add(1.0);
@@ -112,6 +114,18 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
     const EffectCard& card = find_effect(name).card;
     for (const EffectChoice& small : small_effects(card)) add_sensitivity(card, small);
   }
+}
+
+std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectCard& card) const {
+  return over_parameters(card, {.name = card.name, .size = card.null, .parameters = {}},
+                         parameter_factors);
+}
+
+std::optional<double> EffectSensitivities::rise(const EffectChoice& effect) const {
+  const auto moved = residuals_with(seen_, fit_, effect);
+  if (!moved) return std::nullopt;
+  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
+  return project(*moved).squaredNorm() - project(r).squaredNorm();
 }
 
 void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectChoice& small) {

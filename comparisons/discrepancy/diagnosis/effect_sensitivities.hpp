@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,13 @@ class EffectSensitivities {
   void look_for_starts();
 
   const std::vector<EffectSensitivity>& all() const { return sensitivities_; }
+  const std::vector<std::string>& effects() const { return effects_; }
+
+  /// An effect at every point of the grid of its further parameters, size left at null.
+  std::vector<EffectChoice> over_its_parameters(const EffectCard& card) const;
+  /// How far χ² rises with an effect of this size and these parameters, once the fit's own
+  /// unknowns have taken what they can; nothing where it has no form here or no answer.
+  std::optional<double> rise(const EffectChoice& effect) const;
 
   /// Best score of each effect over the parameters it was taken at.
   std::vector<EffectScore> scores() const;

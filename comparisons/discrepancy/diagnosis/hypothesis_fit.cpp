@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/inference/calibration/differences.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -14,6 +15,16 @@ namespace {
 constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
 const CalibrationControls search_controls{
     .relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+
+/// N: samples that are alike count for less than as many that are not.
+double independent_data(const Observations& seen, const JointModel& model) {
+  double count = 0.0;
+  for (const DataRow& row : model.rows())
+    count += row.what == ObservedQuantity::force
+                 ? effective_share(seen.shots[row.shot].noise.autocorrelation)
+                 : 1.0;
+  return std::max(2.0, count);
+}
 
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, const RunControl& control) {
@@ -46,13 +57,12 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   }
   // To choose a switch is a choice as well: it counts as one number.
   for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
-    fit.effect_unknowns +=
-        std::max(1, static_cast<int>(model->unknowns_of_effect(k).size()));
+    fit.effect_unknowns += std::max(1, static_cast<int>(model->unknowns_of_effect(k).size()));
   const auto priors = static_cast<int>(fit.residuals.size() - data);
   fit.freedom =
       std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));
   fit.information_criterion =
-      fit.chi_square + fit.effect_unknowns * std::log(static_cast<double>(data));
+      fit.chi_square + fit.effect_unknowns * std::log(independent_data(seen, *model));
   return fit;
 }
 

@@ -21,7 +21,7 @@ struct HypothesisFit {
   double data_chi_square = 0.0;       ///< Σ r² over the data alone
   int freedom = 0;                    ///< data − unknowns without a prior
   int effect_unknowns = 0;            ///< fitted numbers of effects
-  /// χ² + k ln N: k the effects' unknowns, N the data.
+  /// χ² + k ln N: k the effects' unknowns, N the independent data.
   double information_criterion = 0.0;
 
   std::size_t data_rows() const { return model->rows().size(); }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 
 namespace rebound {
@@ -26,13 +28,6 @@ SampleRange window_of(const std::vector<double>& force) {
   return widened(contact, (contact.count() - 1) / 10, force.size());
 }
 
-double scatter(const std::vector<double>& values, std::size_t count) {
-  double mean = 0.0, square = 0.0;
-  for (std::size_t i = 0; i < count; ++i) mean += values[i] / static_cast<double>(count);
-  for (std::size_t i = 0; i < count; ++i) square += (values[i] - mean) * (values[i] - mean);
-  return std::sqrt(square / static_cast<double>(count - 1));
-}
-
 /// Means over blocks of neighbouring samples.
 void average(MeasuredImpact& shot, std::size_t block) {
   if (block < 2) return;
@@ -50,28 +45,80 @@ void average(MeasuredImpact& shot, std::size_t block) {
   }
 }
 
-/// Leaves the contact with some of the quiet before and after it, and its noise; no history
-/// where nothing tells the noise.
-void prepare_history(MeasuredImpact& shot, Observations& seen) {
-  const Trace record = std::move(shot.trace);
+/// A whole record, made coarse enough, and where its contact is.
+struct Record {
+  std::size_t shot = 0;  ///< index among the observations
+  Trace trace;
+  SampleRange contact;
+
+  std::span<const double> quiet() const { return {trace.force.data(), contact.first}; }
+};
+
+Record prepare_record(MeasuredImpact& shot, std::size_t index) {
+  const std::size_t block = window_of(shot.trace.force).count() / most_samples;
+  average(shot, block);
+  Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}};
   shot.trace = {};
-  const SampleRange window = window_of(record.force);
-  if (shot.noise.deviation > 0.0) {
-    seen.noise_from = "stated by the data set";
-  } else if (window.first >= fewest_quiet) {
-    shot.noise.deviation = scatter(record.force, window.first);
-    seen.noise_from = "scatter of the force before contact";
+  record.contact = window_of(record.trace.force);
+  return record;
+}
+
+/// Colour of the noise of all records of a data set, and its size where what they scatter by
+/// contradicts what is stated; the scatter of each shot alone where nothing is stated.
+void settle_noise(const std::string& dataset, const std::vector<Record>& records,
+                  Observations& seen) {
+  std::vector<std::span<const double>> stretches;
+  for (const Record& record : records) stretches.push_back(record.quiet());
+  const EstimatedNoise noise = estimate_noise(stretches);
+  constexpr int fewest_for_colour = 40;
+  const bool enough = noise.samples >= fewest_for_colour && noise.deviation > 0.0;
+  if (!enough)
+    seen.warnings.push_back(dataset +
+                            ": too few samples before contact to check the noise; it is taken as "
+                            "white and of the stated size");
+  for (const Record& record : records) {
+    MeasuredImpact& shot = seen.shots[record.shot];
+    const double stated = shot.noise.deviation;
+    if (enough) shot.noise.autocorrelation = noise.autocorrelation;
+    if (stated > 0.0) {
+      seen.noise_from = "stated by the data set";
+      if (!enough) continue;
+      // Three standard errors of the scatter, and no less than a fifth.
+      const double independent =
+          std::max(2.0, noise.samples * effective_share(noise.autocorrelation));
+      const double slack = std::max(0.2, 3.0 / std::sqrt(2.0 * independent));
+      if (std::abs(std::log(noise.deviation / stated)) <= slack) continue;
+      if (&record == &records.front())
+        seen.warnings.push_back(fmt::format(
+            "{}: the force scatters by {:.3g} N before contact, where {:.3g} N are stated; the "
+            "scatter is taken",
+            dataset, noise.deviation, stated));
+      shot.noise.deviation = noise.deviation;
+      seen.noise_from = "scatter of the force before contact, which contradicts what is stated";
+    } else if (record.contact.first >= fewest_quiet) {
+      shot.noise.deviation = estimate_noise({record.quiet()}).deviation;
+      seen.noise_from = "scatter of the force before contact";
+    }
   }
+  if (enough && !noise.autocorrelation.empty())
+    seen.noise_from += fmt::format(
+        "; neighbouring samples are alike (correlation {:.2g}), autoregressive of order {}",
+        noise.autocorrelation.front(), noise.autocorrelation.size());
+}
+
+/// Leaves the contact with some of the quiet before and after it; no history where nothing
+/// tells the noise.
+void keep_contact(const Record& record, MeasuredImpact& shot) {
   if (!(shot.noise.deviation > 0.0)) return;
-  const SampleRange kept = widened(window, window.count() / 10, record.time.size());
+  const SampleRange kept =
+      widened(record.contact, record.contact.count() / 10, record.trace.time.size());
   const auto part = [&](const std::vector<double>& column) {
     const auto begin = column.begin();
     return std::vector<double>(begin + static_cast<std::ptrdiff_t>(kept.first),
                                begin + static_cast<std::ptrdiff_t>(kept.last) + 1);
   };
-  shot.trace.time = part(record.time);
-  shot.trace.force = part(record.force);
-  average(shot, window.count() / most_samples);
+  shot.trace.time = part(record.trace.time);
+  shot.trace.force = part(record.trace.force);
 }
 
 /// Which scalars a fit may use: beside a history the restitution alone.
@@ -134,17 +181,33 @@ void add_shot(const Dataset& dataset, const MeasuredImpact& measured, std::size_
     seen.warnings.push_back(fmt::format("{}: speed uncertainty unknown, {:.3g} % assumed",
                                         shot.label, 100 * assumed_speed_uncertainty));
   }
-  const bool recorded = shot.has_history();
-  keep_usable_scalars(shot, recorded, seen);
-  if (recorded) prepare_history(shot, seen);
-  if (recorded && !shot.has_history())
-    seen.missing.push_back(shot.label +
-                           ": the noise of the force, stated or as samples before "
-                           "contact");
-  const bool has_scalar = std::any_of(
-      scalar_quantities.begin(), scalar_quantities.end(),
-      [&](const ScalarQuantity& scalar) { return (shot.*scalar.measured).has_error(); });
-  if (shot.has_history() || has_scalar) seen.shots.push_back(std::move(shot));
+  keep_usable_scalars(shot, shot.has_history(), seen);
+  seen.shots.push_back(std::move(shot));
+}
+
+/// The histories of one data set, from the shots `first` on.
+void add_histories(const std::string& dataset, std::size_t first, Observations& seen) {
+  std::vector<Record> records;
+  for (std::size_t i = first; i < seen.shots.size(); ++i)
+    if (seen.shots[i].has_history()) records.push_back(prepare_record(seen.shots[i], i));
+  if (records.empty()) return;
+  settle_noise(dataset, records, seen);
+  for (const Record& record : records) {
+    MeasuredImpact& shot = seen.shots[record.shot];
+    keep_contact(record, shot);
+    if (!shot.has_history())
+      seen.missing.push_back(shot.label +
+                             ": the noise of the force, stated or as samples before "
+                             "contact");
+  }
+}
+
+/// Nothing to look at: neither a history nor a scalar with its uncertainty.
+bool is_empty(const MeasuredImpact& shot) {
+  return !shot.has_history() && std::none_of(scalar_quantities.begin(), scalar_quantities.end(),
+                                             [&](const ScalarQuantity& scalar) {
+                                               return (shot.*scalar.measured).has_error();
+                                             });
 }
 
 }  // namespace
@@ -154,7 +217,9 @@ Observations observe(const std::vector<Dataset>& datasets) {
   double gain_squared = 0.0;
   for (const Dataset& dataset : datasets) {
     const std::size_t ball = ball_of(dataset, seen);
+    const std::size_t first = seen.shots.size();
     for (const MeasuredImpact& shot : dataset.shots) add_shot(dataset, shot, ball, seen);
+    add_histories(dataset.name, first, seen);
     const auto& gain = dataset.instrument.force_gain_uncertainty;
     const bool has_force = std::any_of(dataset.shots.begin(), dataset.shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });
@@ -169,6 +234,7 @@ Observations observe(const std::vector<Dataset>& datasets) {
       if (std::find(seen.warnings.begin(), seen.warnings.end(), note) == seen.warnings.end())
         seen.warnings.push_back(note);
   }
+  std::erase_if(seen.shots, is_empty);
   seen.gain_uncertainty = std::sqrt(gain_squared);
   if (seen.noise_from.empty()) seen.noise_from = "stated uncertainties of scalars";
   if (seen.shots.empty())

@@ -12,13 +12,15 @@ namespace rebound {
 /// A history keeps its own clock: contact, from a tenth of the peak, with a
 /// tenth of its length at either end and as much of the quiet around it, since
 /// its start is an unknown and its noise may be measured on what lies before.
-/// Noise of a force sample: as stated, or else the scatter before contact.
+/// Noise of a force sample: as stated, or else the scatter before contact. Its colour is that of
+/// all samples before contact of a data set together. Where that scatter contradicts what is
+/// stated, from either side, the scatter is taken, with a warning.
 /// Histories of more than about 600 samples a contact are averaged in blocks,
 /// their noise with them. Beside a history only the restitution is kept as a
 /// scalar: the other scalars repeat what the history says. Two data sets whose
 /// mass and diameter agree within their uncertainties are of one ball.
 ///
-/// Caution: noise is taken as white.
+/// Caution: without samples before contact noise is taken as white, with a warning.
 Observations observe(const std::vector<Dataset>& datasets);
 
 }  // namespace rebound

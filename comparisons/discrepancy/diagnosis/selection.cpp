@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <functional>
+#include <limits>
 #include <set>
 
+#include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -60,18 +62,28 @@ void sort_by_criterion(std::vector<AssessedFit>& candidates) {
                    });
 }
 
-/// Adequate, within reach of the best adequate one, and without a smaller
+/// χ² + 2 k. By χ² + k ln N alone, an adequate model of one number would exclude a truth of two:
+/// ln N of all samples is more than the reach of a set.
+double prediction_criterion(const AssessedFit& one) {
+  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns;
+}
+
+/// Adequate, within reach of the best adequate one by either criterion, and without a smaller
 /// adequate set inside.
 std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
                                                   double reach) {
-  std::vector<std::size_t> members;
-  double best = 0.0;
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    if (!tried[i].adequate) continue;
-    if (members.empty()) best = tried[i].fit.information_criterion;
-    if (tried[i].fit.information_criterion > best + reach) continue;
-    members.push_back(i);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double best = none, best_prediction = none;
+  for (const AssessedFit& one : tried) {
+    if (!one.adequate) continue;
+    best = std::min(best, one.fit.information_criterion);
+    best_prediction = std::min(best_prediction, prediction_criterion(one));
   }
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (tried[i].adequate && (tried[i].fit.information_criterion <= best + reach ||
+                              prediction_criterion(tried[i]) <= best_prediction + reach))
+      members.push_back(i);
   std::vector<std::size_t> minimal;
   for (const std::size_t i : members) {
     const Names own = names_of(tried[i].fit.effects);
@@ -109,72 +121,168 @@ AssessedFit judge(const Observations& seen, HypothesisFit fit,
   return candidate;
 }
 
+namespace {
+
+/// A set of effects to be fitted: what is fitted already, and one effect more.
+struct Extension {
+  std::size_t from;  ///< index into the fits tried so far
+  std::string added;
+  std::vector<EffectChoice> starts;
+  double expected;  ///< χ²
+};
+
+/// The search for effects, step by step; what it finds stands in `selection`.
+class Search {
+ public:
+  Search(const Observations& seen, const std::vector<std::string>& effects,
+         const SelectionRules& rules, std::uint64_t seed, const RunControl& control,
+         EffectSelection& selection)
+      : seen_(seen),
+        effects_(effects),
+        rules_(rules),
+        seed_(seed),
+        control_(control),
+        selection_(selection) {}
+
+  bool singles(EffectSensitivities& around) {
+    around.look_for_starts();
+    auto ranked = ranking(around, base().chi_square);
+    if (std::ssize(ranked) > rules_.fitted_singles)
+      ranked.resize(static_cast<std::size_t>(rules_.fitted_singles));
+    return found(fit_all(
+        ranked.size(),
+        [&](std::size_t i) {
+          return fit_extended(seen_, base(), around.starts(ranked[i].first, starts_per_effect));
+        },
+        control_));
+  }
+
+  /// The families, each without a formula.
+  bool families() {
+    const std::vector<std::string> forms = free_forms(base().effects);
+    return found(fit_all(
+        forms.size(),
+        [&](std::size_t i) {
+          return fit_extended(seen_, base(),
+                              starts_of_free_form(find_effect(forms[i]).card, seen_, base()));
+        },
+        control_));
+  }
+
+  /// Sets of `count` effects: the best sets of one less, each with what promises most on its own
+  /// residuals.
+  bool sets_of(std::size_t count) {
+    std::vector<Extension> all = extensions(count);
+    std::stable_sort(all.begin(), all.end(), [](const Extension& a, const Extension& b) {
+      return a.expected < b.expected;
+    });
+    if (std::ssize(all) > rules_.fitted_pairs)
+      all.resize(static_cast<std::size_t>(rules_.fitted_pairs));
+    const std::vector<AssessedFit> before = selection_.tried;
+    return found(fit_all(
+        all.size(),
+        [&](std::size_t i) { return fit_extended(seen_, before[all[i].from].fit, all[i].starts); },
+        control_));
+  }
+
+  /// Of adequate sets, those with one effect less: a set that needs not all it has is not minimal.
+  bool prune() {
+    std::vector<Hypothesis> smaller;
+    for (const std::size_t i : selection_.indistinguishable) {
+      const HypothesisFit& fit = selection_.tried[i].fit;
+      if (added(fit) < 3) continue;  // sets of one have been tried
+      for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
+        Hypothesis one = fit.hypothesis;
+        one.effects = fit.effects;
+        one.effects.erase(one.effects.begin() + static_cast<std::ptrdiff_t>(k));
+        if (!is_tried(names_of(one.effects))) smaller.push_back(std::move(one));
+      }
+    }
+    return found(fit_all(
+        smaller.size(), [&](std::size_t i) { return fit_hypothesis(seen_, smaller[i]); },
+        control_));
+  }
+
+ private:
+  const HypothesisFit& base() const { return selection_.baseline.fit; }
+  std::size_t added(const HypothesisFit& fit) const {
+    return fit.effects.size() - base().effects.size();
+  }
+  bool is_tried(const Names& names) const {
+    return std::any_of(selection_.tried.begin(), selection_.tried.end(),
+                       [&](const auto& one) { return names_of(one.fit.effects) == names; });
+  }
+
+  std::vector<Extension> extensions(std::size_t count) const {
+    std::vector<Extension> all;
+    std::set<Names> known;
+    constexpr std::size_t beam = 4;
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < selection_.tried.size() && taken < beam; ++i) {
+      const HypothesisFit& smaller = selection_.tried[i].fit;
+      if (added(smaller) != count - 1) continue;
+      ++taken;
+      const Names own = names_of(smaller.effects);
+      std::vector<std::string> others;
+      for (const auto& name : effects_)
+        if (!own.contains(name)) others.push_back(name);
+      EffectSensitivities near(seen_, smaller, others);
+      near.look_for_starts();
+      for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
+        Names set = own;
+        set.insert(name);
+        if (known.insert(set).second)
+          all.push_back({i, name, near.starts(name, starts_per_effect), smaller.chi_square - gain});
+      }
+    }
+    return all;
+  }
+
+  /// Assesses fits; is there an adequate one among all so far?
+  bool found(const std::vector<std::optional<HypothesisFit>>& fits) {
+    for (const auto& fit : fits)
+      if (fit) selection_.tried.push_back(judge(seen_, *fit, effects_, rules_, seed_));
+    sort_by_criterion(selection_.tried);
+    selection_.indistinguishable =
+        indistinguishable_models(selection_.tried, rules_.close_criterion);
+    return !selection_.indistinguishable.empty();
+  }
+
+  const Observations& seen_;
+  const std::vector<std::string>& effects_;
+  const SelectionRules& rules_;
+  std::uint64_t seed_;
+  const RunControl& control_;
+  EffectSelection& selection_;
+};
+
+}  // namespace
+
 EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
                                std::uint64_t seed, const RunControl& control) {
   EffectSelection selection;
   selection.baseline = judge(seen, std::move(baseline), effects, rules, seed);
-  const HypothesisFit& base = selection.baseline.fit;
-  EffectSensitivities around(seen, base, effects);
+  EffectSensitivities around(seen, selection.baseline.fit, effects);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
-  if (selection.baseline.adequate) return selection;
-
-  around.look_for_starts();
-  auto ranked = ranking(around, base.chi_square);
-  if (std::ssize(ranked) > rules.fitted_singles)
-    ranked.resize(static_cast<std::size_t>(rules.fitted_singles));
-  const auto singles = fit_all(
-      ranked.size(),
-      [&](std::size_t i) {
-        return fit_extended(seen, base, around.starts(ranked[i].first, starts_per_effect));
-      },
-      control);
-  const auto judge_all = [&](const std::vector<std::optional<HypothesisFit>>& fits) {
-    for (const auto& fit : fits)
-      if (fit) selection.tried.push_back(judge(seen, *fit, effects, rules, seed));
-    sort_by_criterion(selection.tried);
-  };
-  judge_all(singles);
-  selection.indistinguishable = indistinguishable_models(selection.tried, rules.close_criterion);
-  if (!selection.indistinguishable.empty()) return selection;
-
-  // Pairs: the best singles, each with what promises most on its own residuals.
-  struct Pair {
-    std::size_t first;
-    std::string second;
-    std::vector<EffectChoice> starts;
-    double expected;  ///< χ²
-  };
-  std::vector<Pair> pairs;
-  constexpr std::size_t beam = 4;
-  for (std::size_t i = 0; i < std::min(beam, selection.tried.size()); ++i) {
-    const HypothesisFit& single = selection.tried[i].fit;
-    std::vector<std::string> others;
-    for (const auto& name : effects)
-      if (!names_of(single.effects).contains(name)) others.push_back(name);
-    EffectSensitivities near(seen, single, others);
-    near.look_for_starts();
-    for (const auto& [name, gain] : ranking(near, single.chi_square)) {
-      const bool known = std::any_of(pairs.begin(), pairs.end(), [&](const Pair& p) {
-        return Names{selection.tried[p.first].fit.effects.back().name, p.second} ==
-               Names{single.effects.back().name, name};
-      });
-      if (!known)
-        pairs.push_back({i, name, near.starts(name, starts_per_effect), single.chi_square - gain});
-    }
+  if (selection.baseline.adequate) {
+    selection.excluded = excluded_sizes(around);
+    return selection;
   }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const Pair& a, const Pair& b) { return a.expected < b.expected; });
-  if (std::ssize(pairs) > rules.fitted_pairs)
-    pairs.resize(static_cast<std::size_t>(rules.fitted_pairs));
-  judge_all(fit_all(
-      pairs.size(),
-      [&](std::size_t i) {
-        return fit_extended(seen, selection.tried[pairs[i].first].fit, pairs[i].starts);
-      },
-      control));
-  selection.indistinguishable = indistinguishable_models(selection.tried, rules.close_criterion);
+  Search search(seen, effects, rules, seed, control, selection);
+  if (search.singles(around) || search.families()) return selection;
+  for (std::size_t count = 2; count <= rules.most_effects; ++count) {
+    const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
+    if (search.sets_of(count)) {
+      search.prune();
+      break;
+    }
+    // A set that gains nothing by one effect more gains nothing by two.
+    if (selection.tried.empty() ||
+        selection.tried.front().fit.chi_square > before - rules.close_criterion)
+      break;
+  }
   return selection;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/excluded_sizes.hpp"
 #include "comparisons/discrepancy/diagnosis/residual_map.hpp"
 
 namespace rebound {
@@ -15,7 +16,8 @@ struct SelectionRules {
   double close_criterion = 6.0;   ///< a rival within this information criterion is not ruled out
   double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
   int fitted_singles = 10;            ///< best scores that are fitted in full
-  int fitted_pairs = 8;
+  int fitted_pairs = 8;               ///< of sets of two effects and more, per step
+  std::size_t most_effects = 4;       ///< of a set
 };
 
 /// A fitted set of effects, assessed.
@@ -38,6 +40,7 @@ struct EffectSelection {
   AssessedFit baseline;
   std::vector<EffectScore> scores;  ///< on the baseline's residuals
   EffectSensitivities::Cosines cosines;
+  std::vector<ExcludedSize> excluded;          ///< where the baseline agrees with the data
   std::vector<AssessedFit> tried;              ///< all that were fitted, best criterion first
   std::vector<std::size_t> indistinguishable;  ///< indices into `tried`: not to be told apart
 
@@ -49,8 +52,10 @@ struct EffectSelection {
 ///
 ///   1 first-order score of every effect on the baseline's residuals
 ///   2 the best single effects fitted in full, jointly over all shots
-///   3 where none is adequate: pairs, from the best singles
-///   4 every adequate and minimal set within 6 of the best criterion is indistinguishable
+///   3 where none is adequate: the families, each by its free form
+///   4 where none is adequate: sets of two, three and four, each from the best of one less;
+///     what an adequate set of three or four does not need is taken out again
+///   5 every adequate and minimal set within 6 of the best criterion is indistinguishable
 ///
 /// An empty `indistinguishable` with an inadequate baseline means: not explained by
 /// anything in the list.

@@ -8,32 +8,6 @@
 namespace rebound {
 namespace {
 
-NumberWithInterval with_interval(const HypothesisFit& fit, std::size_t unknown,
-                                 const std::string& name, bool logarithmic) {
-  const Estimate& e = fit.search.estimates[unknown];
-  const auto back = [&](double x) { return logarithmic ? std::exp(x) : x; };
-  return {.name = name, .value = back(e.value), .low = back(e.low), .high = back(e.high)};
-}
-
-NamedEffect named(const HypothesisFit& fit, std::size_t k) {
-  const EffectChoice& choice = fit.effects[k];
-  const Effect& effect = find_effect(choice.name);
-  NamedEffect result{
-      .effect = choice,
-      .size = {.name = choice.name, .value = choice.size, .low = choice.size, .high = choice.size},
-      .parameters = {}};
-  if (!effect.to_fem) result.fem = "no-form";
-  if (!effect.to_lumped) result.lumped = "no-form";
-  const auto& unknowns = fit.model->unknowns_of_effect(k);
-  if (unknowns.empty()) return result;
-  result.size = with_interval(fit, unknowns[0], choice.name, false);
-  std::size_t next = 1;
-  for (const auto& parameter : effect.card.parameters)
-    if (parameter.fitted)
-      result.parameters.push_back(with_interval(fit, unknowns[next++], parameter.name, true));
-  return result;
-}
-
 bool is_measurement(const std::string& name) {
   return find_effect(name).card.kind == EffectKind::measurement;
 }
@@ -46,28 +20,70 @@ std::vector<std::string> added_effects(const Diagnosis& d, const HypothesisFit& 
   return names;
 }
 
+/// What the missing force depends on, by one candidate; none where its effects differ.
+EffectFamily family_of(const std::vector<std::string>& names) {
+  EffectFamily family = EffectFamily::none;
+  for (const std::string& name : names) {
+    const EffectFamily own = find_effect(name).card.family;
+    if (family != EffectFamily::none && own != family) return EffectFamily::none;
+    family = own;
+  }
+  return family;
+}
+
+EffectFamily common_family(const std::vector<std::vector<std::string>>& candidates) {
+  const EffectFamily first = family_of(candidates.front());
+  const bool same = std::all_of(candidates.begin(), candidates.end(),
+                                [&](const auto& names) { return family_of(names) == first; });
+  return same ? first : EffectFamily::none;
+}
+
+/// Why a single candidate carries no name; empty where it does.
+std::string why_no_name(const Diagnosis& d, const HypothesisFit& fit) {
+  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
+    if (find_effect(fit.effects[k].name).card.is_free_form)
+      return "no formula of the list does as well as a free curve";
+  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
+    if (const std::string why = weak_number_of(fit, k); !why.empty())
+      return fmt::format("{}: {}", fit.effects[k].name, why);
+  return {};
+}
+
 void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   std::vector<const HypothesisFit*> fits;
   for (const std::size_t i : d.selection.indistinguishable)
     fits.push_back(&d.selection.tried[i].fit);
   if (fits.empty()) fits.push_back(&d.selection.baseline.fit);  // set right by its formula alone
   for (const auto* fit : fits) d.candidates.push_back(added_effects(d, *fit));
+  d.family = common_family(d.candidates);
   const auto in_all = [&](const std::string& name) {
     return std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
       return std::find(names.begin(), names.end(), name) != names.end();
     });
   };
-  for (std::size_t k = d.believed_effects; k < fits.front()->effects.size(); ++k)
-    if (in_all(fits.front()->effects[k].name)) d.effects.push_back(named(*fits.front(), k));
   const bool only_measurement = std::all_of(
       d.candidates.begin(), d.candidates.end(),
       [](const auto& names) { return std::all_of(names.begin(), names.end(), is_measurement); });
+  if (fits.size() == 1) {
+    d.withheld = why_no_name(d, *fits.front());
+    for (std::size_t k = d.believed_effects; k < fits.front()->effects.size(); ++k)
+      for (FactorBand& band : bands_of(*fits.front(), k)) d.curves.push_back(std::move(band));
+  }
+  if (d.withheld.empty())
+    for (std::size_t k = d.believed_effects; k < fits.front()->effects.size(); ++k)
+      if (in_all(fits.front()->effects[k].name))
+        d.effects.push_back(named_effect(*fits.front(), k));
   if (only_measurement) {
     d.verdict = DiagnosisVerdict::measurement_fault;
     for (const auto* fit : fits)
       d.fault += (d.fault.empty() ? "" : " or ") + label_of(fit->effects);
+  } else if (fits.size() > 1) {
+    d.verdict = DiagnosisVerdict::one_of;
+  } else if (d.withheld.empty()) {
+    d.verdict = DiagnosisVerdict::missing;
   } else {
-    d.verdict = fits.size() == 1 ? DiagnosisVerdict::missing : DiagnosisVerdict::one_of;
+    d.verdict =
+        d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
   }
   if (fits.size() > 1) d.next = next_experiments(*d.seen, fits, rules.close_criterion);
 }
@@ -83,27 +99,26 @@ int contradicting_data(const Observations& seen, const HypothesisFit& fit) {
          (static_cast<int>(fit.values.size()) - priors);
 }
 
-/// A single set that fits because nothing was left to contradict it carries no name.
-void withdraw_what_cannot_fail(Diagnosis& d) {
-  if (d.selection.indistinguishable.size() != 1) return;
-  const HypothesisFit& fit = d.best();
-  if (contradicting_data(*d.seen, fit) > 0) return;
-  d.needed.push_back(fmt::format(
-      "data that could contradict it: {} fits what is left, but with as many numbers as there are "
-      "data; force histories, or further speeds",
-      label_of(fit.effects)));
-  d.selection.indistinguishable.clear();
-}
-
-void conclude_agreement(Diagnosis& d) {
-  d.verdict = DiagnosisVerdict::agrees;
-  constexpr double one_sided = 1.645;  // 95 % of a normal
-  for (const EffectScore& score : d.selection.scores) {
-    const EffectCard& card = find_effect(score.name).card;
-    if (card.is_switch || !std::isfinite(card.null)) continue;
-    const double reach = std::abs(score.size) + one_sided * score.size_error;
-    if (reach < card.range.highest) d.excluded.push_back({score.name, reach});
-  }
+/// Sets that fit because nothing was left to contradict them are no candidates. Where all are
+/// of that kind, the data are not enough, whatever their number.
+void withdraw_what_cannot_fail(Diagnosis& d, const SelectionRules& rules) {
+  auto& candidates = d.selection.indistinguishable;
+  std::vector<const HypothesisFit*> withdrawn;
+  std::string labels;
+  const auto cannot_fail = [&](std::size_t i) {
+    const HypothesisFit& fit = d.selection.tried[i].fit;
+    if (contradicting_data(*d.seen, fit) > 0) return false;
+    withdrawn.push_back(&fit);
+    labels += (labels.empty() ? "" : " or ") + label_of(fit.effects);
+    return true;
+  };
+  std::erase_if(candidates, cannot_fail);
+  if (withdrawn.empty() || !candidates.empty()) return;
+  d.needed.push_back(
+      fmt::format("data that could contradict it: {} would fit what is left, but with as many "
+                  "numbers as there are data; force histories, or further speeds",
+                  labels));
+  if (withdrawn.size() > 1) d.next = next_experiments(*d.seen, withdrawn, rules.close_criterion);
 }
 
 void locate(Diagnosis& d) {
@@ -115,32 +130,69 @@ void locate(Diagnosis& d) {
   });
 }
 
-}  // namespace
-
-std::string name_of(DiagnosisVerdict verdict) {
-  switch (verdict) {
-    case DiagnosisVerdict::agrees: return "agrees";
-    case DiagnosisVerdict::missing: return "missing";
-    case DiagnosisVerdict::one_of: return "one-of";
-    case DiagnosisVerdict::unexplained: return "unexplained";
-    case DiagnosisVerdict::measurement_fault: return "measurement-fault";
-    case DiagnosisVerdict::insufficient_data: return "insufficient-data";
+/// Rows by which the unseen speed was judged.
+double unseen_rows(const Diagnosis& d) {
+  double rows = 0.0;
+  for (const MeasuredImpact& shot : d.unseen->shots) {
+    rows += static_cast<double>(shot.trace.time.size());
+    for (const ScalarQuantity& scalar : scalar_quantities)
+      rows += (shot.*scalar.measured).has_error() ? 1.0 : 0.0;
   }
-  return {};
+  return rows;
 }
 
+void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
+  d.verdict = weaker;
+  d.withheld = why;
+  if (weaker == DiagnosisVerdict::unexplained) d.family = EffectFamily::none;
+  d.effects.clear();
+  // The repair of a formula that contradicts its own restitution stands by itself.
+  const HypothesisFit& baseline = d.selection.baseline.fit;
+  for (std::size_t k = d.believed_effects; k < baseline.effects.size(); ++k)
+    d.effects.push_back(named_effect(baseline, k));
+}
+
+}  // namespace
+
 void conclude(Diagnosis& d, const SelectionRules& rules) {
-  withdraw_what_cannot_fail(d);
+  withdraw_what_cannot_fail(d, rules);
   locate(d);
   if (!d.selection.explains()) {
-    d.verdict = DiagnosisVerdict::unexplained;
+    d.verdict =
+        d.needed.empty() ? DiagnosisVerdict::unexplained : DiagnosisVerdict::insufficient_data;
     for (std::size_t k = d.believed_effects; k < d.best().effects.size(); ++k)
-      d.effects.push_back(named(d.best(), k));
+      d.effects.push_back(named_effect(d.best(), k));
   } else if (d.extended()) {
     conclude_from_candidates(d, rules);
   } else {
-    conclude_agreement(d);
+    d.verdict = DiagnosisVerdict::agrees;
+    d.excluded = d.selection.excluded;
   }
+}
+
+void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
+  const bool names = d.verdict == DiagnosisVerdict::missing ||
+                     d.verdict == DiagnosisVerdict::one_of || d.verdict == DiagnosisVerdict::family;
+  if (!names || !d.gap.held_out_before || !d.gap.held_out_after) return;
+  if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
+  constexpr double deviations = 3.0, worth_having = 0.5;
+  const double noise = deviations * std::sqrt(2.0 / unseen_rows(d));
+  const double excess = *d.gap.held_out_before - 1.0;
+  if (excess <= noise) {
+    if (d.verdict == DiagnosisVerdict::missing)
+      withhold(
+          d,
+          d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
+          "the believed model predicts the unseen speed within the noise, so that nothing "
+          "is seen to improve there");
+    return;
+  }
+  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
+  if (removed >= worth_having * excess) return;
+  withhold(d, DiagnosisVerdict::unexplained,
+           fmt::format("{} explains what was fitted, but at the unseen speed the gap goes from "
+                       "{:.3g} to {:.3g}",
+                       label_of(d.best().effects), *d.gap.held_out_before, *d.gap.held_out_after));
 }
 
 }  // namespace rebound

@@ -8,9 +8,21 @@ namespace rebound {
 /// which sizes are excluded, where the gap is, what to measure next.
 ///
 ///   agrees             nothing is missing; how large each effect may still be
-///   missing, one-of    the effects of one candidate, or those that all share
+///   missing            the effects of the one candidate, each with numbers that carry a name
+///   family             one candidate whose numbers do not carry a name
+///   one-of             several candidates, and the effects that all share
 ///   measurement-fault  every candidate is of the instrument alone
-///   unexplained        no candidate, or one that no data could have contradicted
+///   insufficient-data  candidates that no data could have contradicted
+///   unexplained        no candidate
 void conclude(Diagnosis& diagnosis, const SelectionRules& rules);
+
+/// What the speed that was kept from every fit says of a verdict that names something, once it
+/// has been predicted before and after.
+///
+///   χ² before not above the noise     the gap does not show there: the family, without a name
+///   less than half of it removed      the candidate does not predict: unexplained
+///
+/// A prediction that is better is no proof of a name; one that is not better is proof against it.
+void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis);
 
 }  // namespace rebound

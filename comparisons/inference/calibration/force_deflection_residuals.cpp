@@ -48,7 +48,7 @@ std::vector<double> ForceDeflectionResiduals::operator()(const ModelOfShot& mode
     const std::vector<double> model = forces_at(problem_for(shots_[k], model_of(k), chain), points);
     for (std::size_t i = 0; i < model.size(); ++i)
       residuals.push_back((reported(model[i], chain) - reference[i]) / sigma);
-    take_out_shared_error(shot->noise, last_of(residuals, model.size()));
+    take_out_correlation(shot->noise, last_of(residuals, model.size()));
   }
   return residuals;
 }
@@ -76,9 +76,9 @@ ResidualsWithJacobian ForceDeflectionResiduals::with_jacobian(
                .sigma = sigma},
               chain, all.slopes);
     }
-    take_out_shared_error(shot->noise, last_of(all.residuals, model.force.size()));
-    take_out_shared_error(shot->noise, last_of(all.slopes, model.force.size() * unknowns.count),
-                          unknowns.count);
+    take_out_correlation(shot->noise, last_of(all.residuals, model.force.size()));
+    take_out_correlation(shot->noise, last_of(all.slopes, model.force.size() * unknowns.count),
+                         unknowns.count);
   }
   return all;
 }

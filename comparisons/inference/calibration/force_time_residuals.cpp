@@ -45,7 +45,7 @@ std::vector<double> ForceTimeResiduals::operator()(const ModelOfShot& model_of,
         problem_for(k, model_of(k), chain), shifted(shots_[k].trace.time, chain.trigger_shift));
     for (std::size_t i = 0; i < model.force.size(); ++i)
       residuals.push_back((reported(model.force[i], chain) - shots_[k].trace.force[i]) / sigma_[k]);
-    take_out_shared_error(shots_[k].noise, last_of(residuals, model.force.size()));
+    take_out_correlation(shots_[k].noise, last_of(residuals, model.force.size()));
   }
   return residuals;
 }
@@ -74,9 +74,9 @@ ResidualsWithJacobian ForceTimeResiduals::with_jacobian(const ModelOfShot& model
                .sigma = sigma_[k]},
               chain, all.slopes);
     }
-    take_out_shared_error(shots_[k].noise, last_of(all.residuals, model.force.size()));
-    take_out_shared_error(shots_[k].noise, last_of(all.slopes, model.force.size() * unknowns.count),
-                          unknowns.count);
+    take_out_correlation(shots_[k].noise, last_of(all.residuals, model.force.size()));
+    take_out_correlation(shots_[k].noise, last_of(all.slopes, model.force.size() * unknowns.count),
+                         unknowns.count);
   }
   return all;
 }

@@ -35,9 +35,12 @@ constexpr auto names_of(DeflectionOrigin) {
 
 /// Errors of the samples of a force history.
 ///
-///   covariance of a block of N neighbours   σ² I + u² 1 1ᵀ
+///   covariance of a block of N neighbours   σ² R + u² 1 1ᵀ,   R = I for white noise
 struct ForceNoise {
-  double deviation = 0.0;  ///< σ, white; 0: unknown [N]
+  double deviation = 0.0;  ///< σ of one sample; 0: unknown [N]
+  /// Of neighbouring samples at lags 1…p, the rest of R by the autoregressive model of order p
+  /// that they make; empty: white [-]
+  std::vector<double> autocorrelation{};
   /// u, of an error that neighbours share, such as that of a discretised model [N]
   double shared = 0.0;
   std::size_t shared_by = 1;  ///< N

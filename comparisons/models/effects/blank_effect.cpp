@@ -9,6 +9,7 @@ Effect blank_effect() {
   return {
       .card = {.name = "blank",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "The ball is stiffer than it was taken for, by this share.",
                .equation = "stiffness (1 + s)",
                .size_dimension = dimension::none,

@@ -9,6 +9,7 @@
 #include "fem/interface/fem_problem.hpp"
 #include "lumped/problem/dimension.hpp"
 #include "lumped/problem/lumped_problem.hpp"
+#include "lumped/problem/names.hpp"
 #include "lumped/problem/validity.hpp"
 
 /// A named physical effect (or fault of the measurement) that a model may lack.
@@ -17,6 +18,28 @@ namespace rebound {
 /// What kind of thing an effect is. Faults of the measurement are rivals of
 /// every physical explanation and are never left out of a diagnosis.
 enum class EffectKind { elastic, dissipative, inertial, boundary, damping_formula, measurement };
+
+/// What a missing force depends on. Forms of one family are told apart by less than families are.
+enum class EffectFamily {
+  none,         ///< not said
+  elastic,      ///< deflection
+  rate,         ///< deflection and its rate now
+  memory,       ///< past deflection, fading
+  history,      ///< the largest deflection so far, not its rate
+  surface,      ///< contact or not, its size
+  dynamics,     ///< another mass that moves, or another force on the ball
+  measurement,  ///< the measuring chain
+};
+constexpr auto names_of(EffectFamily) {
+  return names_list<EffectFamily>({{"none", EffectFamily::none},
+                                   {"elastic", EffectFamily::elastic},
+                                   {"rate", EffectFamily::rate},
+                                   {"memory", EffectFamily::memory},
+                                   {"history", EffectFamily::history},
+                                   {"surface", EffectFamily::surface},
+                                   {"dynamics", EffectFamily::dynamics},
+                                   {"measurement", EffectFamily::measurement}});
+}
 
 /// A further number of an effect, beside its size.
 struct EffectParameterCard {
@@ -41,8 +64,9 @@ struct ImpactChange {
 struct EffectCard {
   std::string name;  ///< e.g. "permanent-set"
   EffectKind kind = EffectKind::elastic;
-  std::string sentence;  ///< what it is, for --help and the report
-  std::string equation;  ///< lumped form in one line
+  EffectFamily family = EffectFamily::none;  ///< must be said
+  std::string sentence;                      ///< what it is, for --help and the report
+  std::string equation;                      ///< lumped form in one line
   Dimension size_dimension;
   double null = 0.0;         ///< the size at which the effect is absent
   Range range;               ///< of the size, SI

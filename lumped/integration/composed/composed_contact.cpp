@@ -69,6 +69,7 @@ State ComposedContact::state_scales() const {
   const double acceleration = peak_force_ / setup_.mass;
   scale[mode_displacement] = std::min(scales_.deflection, acceleration / (omega * omega));
   scale[mode_velocity] = std::min(setup_.speed, acceleration / omega);
+  scale[further_relaxed] = scale[last_relaxed] = peak_force_;
   return scale;
 }
 
@@ -98,6 +99,9 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
   if (mechanisms_.relaxation.ratio != 0.0)
     f.branch = branch_force(mechanisms_.relaxation, f.elastic, y[relaxed]);
   if (law_branch_.ratio != 0.0) f.branch += branch_force(law_branch_, f.elastic, y[law_relaxed]);
+  for (std::size_t k = 0; k < mechanisms_.further_relaxation.size(); ++k)
+    if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
+      f.branch += branch_force(branch, f.elastic, y[further_relaxed + k]);
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
       [&](const auto& law) { return damping_force(law, mechanisms_.damping, radius_, x, rate); },
@@ -123,6 +127,9 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
     rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
   if (law_branch_.ratio != 0.0)
     rate[law_relaxed] = relaxed_rate(law_branch_, f.elastic, y[law_relaxed]);
+  for (std::size_t k = 0; k < mechanisms_.further_relaxation.size(); ++k)
+    if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
+      rate[further_relaxed + k] = relaxed_rate(branch, f.elastic, y[further_relaxed + k]);
   if (plate_.moves()) {
     const PlateMotion plate = plate_motion(y);
     rate[plate_displacement] = plate.velocity;

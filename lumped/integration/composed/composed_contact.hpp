@@ -24,7 +24,7 @@ namespace rebound {
 ///   F [N s]                               D   energy lost, or held in the branch [J]
 ///
 /// Order of composition: the law's F_e takes its factors, then the memory of
-/// the largest approach; relaxation (the law's own branch and a further one), finite sphere and
+/// the largest approach; relaxation (the law's own branch and up to three more), finite sphere and
 /// adhesion see the result. Valid:   every law with every set of mechanisms; friction is refused.
 /// Limit:   without mechanisms the bare law -> test ComposedContactTest.NothingIsTheBareLaw.
 /// Caution: zero-force: contact ends where the force without adhesion falls to
@@ -44,6 +44,8 @@ class ComposedContact {
     plate_velocity,
     mode_displacement,
     mode_velocity,
+    further_relaxed,
+    last_relaxed,
     states
   };
   using State = std::array<double, states>;

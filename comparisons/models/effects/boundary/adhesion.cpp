@@ -6,6 +6,7 @@ Effect adhesion_effect() {
   return {
       .card = {.name = "adhesion",
                .kind = EffectKind::boundary,
+               .family = EffectFamily::surface,
                .sentence = "Ball and plate stick: a constant pull while in contact, to pull-off.",
                .equation = "- 2 pi R s, ramped in over the first 1 % of peak force",
                .size_dimension = dimension::energy_per_area,

@@ -23,6 +23,7 @@ Effect plate_compliance_effect() {
   return {
       .card = {.name = "plate-compliance",
                .kind = EffectKind::boundary,
+               .family = EffectFamily::dynamics,
                .sentence = "The plate gives way: a mass on the spring of its load cell.",
                .equation = "M y'' + c y' + k y = F, s = 1/k; the law sees x - y, the cell reads k "
                            "y + c y'",

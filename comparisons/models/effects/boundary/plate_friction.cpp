@@ -6,6 +6,7 @@ Effect plate_friction_effect() {
   return {
       .card = {.name = "plate-friction",
                .kind = EffectKind::boundary,
+               .family = EffectFamily::surface,
                .sentence = "The plate rubs: it holds the contact from spreading.",
                .equation = "none: a law's stiffness absorbs it; FE: Coulomb friction",
                .size_dimension = dimension::none,

@@ -7,6 +7,7 @@ Effect low_loss_damping_formula_effect() {
   return {
       .card = {.name = "low-loss-damping-formula",
                .kind = EffectKind::damping_formula,
+               .family = EffectFamily::rate,
                .sentence = "The damping was computed from the restitution by a formula that holds "
                            "for low loss only.",
                .equation = "damping = (1 - s) formula + s exact",

@@ -6,6 +6,7 @@ Effect damping_exponent_effect() {
   return {
       .card = {.name = "damping-exponent",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::rate,
                .sentence = "The damping grows with another power of the deflection than the law "
                            "says.",
                .equation = "F_d (x/x_r)^s, x_r = R/10",

@@ -6,6 +6,7 @@ Effect hysteresis_effect() {
   return {
       .card = {.name = "hysteresis",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::history,
                .sentence = "Loss that does not depend on rate: unloading runs below loading.",
                .equation = "unloading: F_e [1 - s (1 - x/x_max)]",
                .size_dimension = dimension::none,

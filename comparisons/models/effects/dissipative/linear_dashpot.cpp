@@ -6,6 +6,7 @@ Effect linear_dashpot_effect() {
   return {
       .card = {.name = "linear-dashpot",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::rate,
                .sentence = "Damping that does not wait for a contact area: a force at the very "
                            "first touch.",
                .equation = "+ s x'",

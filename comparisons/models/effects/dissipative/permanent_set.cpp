@@ -7,6 +7,7 @@ Effect permanent_set_effect() {
   return {
       .card = {.name = "permanent-set",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::history,
                .sentence = "A dent that stays: unloading ends before the deflection is back.",
                .equation = "unloading: F_e((x - s x_max)/(1 - s)), nothing below s x_max",
                .size_dimension = dimension::none,

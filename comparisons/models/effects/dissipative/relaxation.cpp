@@ -7,6 +7,7 @@ Effect relaxation_effect() {
   return {
       .card = {.name = "relaxation",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::memory,
                .sentence = "One relaxation time more: part of the stiffness fades during the "
                            "contact.",
                .equation = "F + q, q' = s F_e' - q/tau",

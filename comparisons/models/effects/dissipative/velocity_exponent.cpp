@@ -9,6 +9,7 @@ Effect velocity_exponent_effect() {
   return {
       .card = {.name = "velocity-exponent",
                .kind = EffectKind::dissipative,
+               .family = EffectFamily::rate,
                .sentence = "Damping that is not in proportion to the rate.",
                .equation = "F_d |x'/v_r|^s, v_r = 10 m/s",
                .size_dimension = dimension::none,

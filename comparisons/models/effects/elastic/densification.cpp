@@ -6,6 +6,7 @@ Effect densification_effect() {
   return {
       .card = {.name = "densification",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "Cells close up: the force shoots up past a quarter radius of "
                            "deflection.",
                .equation = "F_e (1 + s <x/R - 1/4>^2)",

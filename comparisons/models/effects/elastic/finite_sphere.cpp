@@ -6,6 +6,7 @@ Effect finite_sphere_effect() {
   return {
       .card = {.name = "finite-sphere",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "Centre-of-mass deflection is less than the approach of the contact, "
                            "since the ball is not a half-space.",
                .equation = "x = d - s C(nu) F_e/(E R), F_e at approach d, E from F_e at R/10 by "

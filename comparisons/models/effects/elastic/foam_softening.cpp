@@ -6,6 +6,7 @@ Effect foam_softening_effect() {
   return {
       .card = {.name = "foam-softening",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "Cell walls buckle: the stiffness falls toward a plateau after the "
                            "first few per cent.",
                .equation = "F_e [1 - s (1 - exp(-20 x/R))]",

@@ -6,6 +6,7 @@ Effect force_exponent_effect() {
   return {
       .card = {.name = "force-exponent",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "The force rises with another power of the deflection than the law "
                            "says.",
                .equation = "F_e (x/x_r)^s, x_r = R/10",

@@ -19,6 +19,7 @@ Effect layered_core_effect() {
   return {
       .card = {.name = "layered-core",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "A shell or winding stiffer than the inside, felt while the contact is "
                            "shallow.",
                .equation = "F_e (1 + s exp(-10 x/R))",

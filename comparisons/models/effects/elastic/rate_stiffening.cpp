@@ -26,6 +26,7 @@ Effect rate_stiffening_effect() {
   return {
       .card = {.name = "rate-stiffening",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::rate,
                .sentence = "A flat spectrum of relaxation times: the ball is stiffer the faster it "
                            "is hit.",
                .equation = "stiffness times (v0/v_r)^s, v_r = 10 m/s",

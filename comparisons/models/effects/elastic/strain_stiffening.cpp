@@ -6,6 +6,7 @@ Effect strain_stiffening_effect() {
   return {
       .card = {.name = "strain-stiffening",
                .kind = EffectKind::elastic,
+               .family = EffectFamily::elastic,
                .sentence = "The ball hardens with strain: finite deformation or a material that "
                            "locks gently.",
                .equation = "F_e (1 + s x/R), s >= 0",

@@ -7,6 +7,7 @@ Effect gravity_effect() {
   return {
       .card = {.name = "gravity",
                .kind = EffectKind::inertial,
+               .family = EffectFamily::dynamics,
                .sentence = "The weight of the ball acts during contact.",
                .equation = "m x'' = m g - F, g = 9.80665 m/s^2",
                .size_dimension = dimension::none,

@@ -6,6 +6,7 @@ Effect internal_mode_effect() {
   return {
       .card = {.name = "internal-mode",
                .kind = EffectKind::inertial,
+               .family = EffectFamily::dynamics,
                .sentence = "The ball rings: part of its mass moves against the rest.",
                .equation = "s of the mass on a spring at frequency f, ratio zeta; x is the centre "
                            "of mass",

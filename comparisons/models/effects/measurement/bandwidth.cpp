@@ -7,6 +7,7 @@ Effect bandwidth_effect() {
   return {
       .card = {.name = "bandwidth",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The chain is slow: fast parts of the force are smoothed and late.",
                .equation = "causal 4-pole Butterworth, -3 dB at s",
                .size_dimension = dimension::frequency,

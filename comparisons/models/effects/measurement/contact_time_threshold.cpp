@@ -6,6 +6,7 @@ Effect contact_time_threshold_effect() {
   return {
       .card = {.name = "contact-time-threshold",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "Contact time was read where the force passes a threshold.",
                .equation = "contact time between crossings of s",
                .size_dimension = dimension::force,

@@ -6,6 +6,7 @@ Effect force_baseline_effect() {
   return {
       .card = {.name = "force-baseline",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The force is offset.",
                .equation = "reported force = true + s",
                .size_dimension = dimension::force,

@@ -6,6 +6,7 @@ Effect force_gain_effect() {
   return {
       .card = {.name = "force-gain",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The load cell reads a constant factor too much or too little.",
                .equation = "reported force = (1 + s) true",
                .size_dimension = dimension::none,

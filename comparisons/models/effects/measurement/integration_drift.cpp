@@ -6,6 +6,7 @@ Effect integration_drift_effect() {
   return {
       .card = {.name = "integration-drift",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The integrated deflection runs away with time squared.",
                .equation = "x + s t^2/2, integrated deflections only",
                .size_dimension = dimension::acceleration,

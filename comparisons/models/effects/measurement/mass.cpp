@@ -6,6 +6,7 @@ Effect mass_effect() {
   return {
       .card = {.name = "mass",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The mass is not what is stated.",
                .equation = "reported mass = (1 + s) true",
                .size_dimension = dimension::none,

@@ -7,6 +7,7 @@ Effect platen_count_effect() {
   return {
       .card = {.name = "platen-count",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "A compression between two platens was read as one contact, or the "
                            "other way round.",
                .equation = "1 or 2 platens, slow compression only",

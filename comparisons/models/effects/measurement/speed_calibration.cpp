@@ -6,6 +6,7 @@ Effect speed_calibration_effect() {
   return {
       .card = {.name = "speed-calibration",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "The approach speed is read a constant factor wrong.",
                .equation = "reported speed = (1 + s) true",
                .size_dimension = dimension::none,

@@ -6,6 +6,7 @@ Effect trigger_shift_effect() {
   return {
       .card = {.name = "trigger-shift",
                .kind = EffectKind::measurement,
+               .family = EffectFamily::measurement,
                .sentence = "Time zero is not first touch.",
                .equation = "reported time = true + s",
                .size_dimension = dimension::time,

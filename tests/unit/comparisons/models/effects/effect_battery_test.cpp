@@ -64,6 +64,8 @@ TEST_P(EffectBattery, CardIsComplete) {
   EXPECT_NE(card.prior_scale, card.null);
   EXPECT_EQ(find_effect(card.name).card.name, card.name);
   EXPECT_EQ(effect_.to_measurement != nullptr, card.kind == EffectKind::measurement);
+  EXPECT_NE(card.family, EffectFamily::none) << "what the missing force depends on";
+  EXPECT_EQ(card.family == EffectFamily::measurement, card.kind == EffectKind::measurement);
   EXPECT_TRUE(effect_.to_lumped || effect_.to_fem || effect_.to_measurement);
   EXPECT_EQ(card.moves.has_value(), effect_.to_fem != nullptr)
       << "what it moves in an FE impact is checked against the card";

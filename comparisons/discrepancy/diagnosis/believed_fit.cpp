@@ -1,0 +1,101 @@
+#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "lumped/laws/laws.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr std::size_t grid_starts = 2;  // searches from the grid, beside the believed numbers
+constexpr std::size_t most_points = 200;
+
+/// The numbers of a law that a joint fit looks for: LawFactors has the same rule.
+std::vector<std::string> unknown_numbers(const LumpedModel& model) {
+  const LawCard& card = find_law(model.law);
+  std::vector<std::string> names;
+  for (const ParameterCard& parameter : card.parameters)
+    if (!parameter.default_value &&
+        !(!model.damping_formula.empty() && parameter.name == card.damping_parameter))
+      names.push_back(parameter.name);
+  return names;
+}
+
+LumpedModel scaled(LumpedModel model, const std::string& name, double factor) {
+  const auto scale = [&](ParameterValues& numbers) {
+    if (const auto found = numbers.find(name); found != numbers.end()) found->second *= factor;
+  };
+  scale(model.parameters);
+  for (auto& entry : model.at_speed) scale(entry.parameters);
+  return model;
+}
+
+std::vector<LumpedModel> grid_around(const LumpedModel& believed) {
+  std::vector<LumpedModel> grid{believed};
+  for (const std::string& name : unknown_numbers(believed)) {
+    std::vector<LumpedModel> next;
+    for (const LumpedModel& model : grid)
+      for (const double factor : {1.0, 0.0625, 0.125, 0.25, 0.5, 2.0, 4.0, 8.0, 16.0})
+        next.push_back(scaled(model, name, factor));
+    if (next.size() > most_points) break;
+    grid = std::move(next);
+  }
+  return grid;
+}
+
+/// χ² where a search from this model begins; infinite where an impact has no answer.
+double chi_square_at_start(const Observations& seen, const Hypothesis& hypothesis) {
+  try {
+    const JointModel model(seen, hypothesis);
+    double sum = 0.0;
+    for (const double r : model.residuals(model.start())) sum += r * r;
+    return sum;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+}  // namespace
+
+HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesis,
+                           const RunControl& control) {
+  struct Start {
+    Hypothesis hypothesis;
+    double chi_square;
+  };
+  std::optional<HypothesisFit> best;
+  Error failure(ExitCode::solver_failed, "the believed model has no impact");
+  const auto search_from = [&](const Hypothesis& start) {
+    try {
+      HypothesisFit fit = fit_hypothesis(seen, start, control);
+      // Another start is worth another set of numbers only where it ends elsewhere.
+      constexpr double elsewhere = 1e-3;
+      if (!best || fit.chi_square < best->chi_square - elsewhere * (1.0 + best->chi_square))
+        best = std::move(fit);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed) throw;
+      failure = error;
+    }
+  };
+  search_from(hypothesis);
+  std::vector<Start> starts;
+  for (const LumpedModel& model : grid_around(hypothesis.believed)) {
+    Hypothesis one = hypothesis;
+    one.believed = model;
+    const double chi_square = chi_square_at_start(seen, one);
+    if (std::isfinite(chi_square)) starts.push_back({std::move(one), chi_square});
+  }
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Start& a, const Start& b) { return a.chi_square < b.chi_square; });
+  for (std::size_t i = 0; i < std::min(grid_starts, starts.size()); ++i)
+    search_from(starts[i].hypothesis);
+  if (!best) throw failure;
+  return std::move(*best);
+}
+
+}  // namespace rebound

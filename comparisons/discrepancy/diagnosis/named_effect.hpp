@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+
+namespace rebound {
+
+/// A number with its 95 % interval, SI.
+struct NumberWithInterval {
+  std::string name;
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// An effect that every candidate has in common.
+struct NamedEffect {
+  EffectChoice effect;
+  NumberWithInterval size;
+  std::vector<NumberWithInterval> parameters;
+  std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
+  std::string fem = "not-run";
+};
+
+/// Effect k of a fit with its numbers.
+NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
+
+/// Why the numbers of effect k cannot carry its name; empty where they can.
+///
+/// A name needs a size whose interval leaves out the size at which the effect is absent, and
+/// numbers that the data determine, off the bounds of the search: relaxation of 0.99 within
+/// [0.003, 9.8] is an effect that explains the data, not one that was measured.
+std::string weak_number_of(const HypothesisFit& fit, std::size_t k);
+
+}  // namespace rebound

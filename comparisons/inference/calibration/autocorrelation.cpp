@@ -1,0 +1,88 @@
+#include "comparisons/inference/calibration/autocorrelation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+constexpr std::size_t fewest_samples = 10;  // of a stretch
+constexpr std::size_t most_lags = 16;
+constexpr std::size_t samples_per_lag = 8;  // at least: a lag is a number to be estimated
+constexpr double white_share = 1e-3;        // of the variance
+
+/// Sum of products at a lag over all stretches, over their number at lag zero.
+double covariance_at(const std::vector<std::vector<double>>& centred, std::size_t lag) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const std::vector<double>& one : centred) {
+    for (std::size_t i = lag; i < one.size(); ++i) sum += one[i] * one[i - lag];
+    count += one.size();
+  }
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+LinearPredictors linear_predictors(const std::vector<double>& autocorrelation) {
+  LinearPredictors found{.coefficients = {{}}, .variance = {1.0}};
+  for (std::size_t m = 1; m <= autocorrelation.size(); ++m) {
+    const std::vector<double>& last = found.coefficients.back();
+    double missed = autocorrelation[m - 1];
+    for (std::size_t k = 1; k < m; ++k) missed -= last[k - 1] * autocorrelation[m - k - 1];
+    const double reflection = missed / found.variance.back();
+    std::vector<double> next(m);
+    for (std::size_t k = 1; k < m; ++k) next[k - 1] = last[k - 1] - reflection * last[m - k - 1];
+    next[m - 1] = reflection;
+    found.variance.push_back(found.variance.back() * (1.0 - reflection * reflection));
+    found.coefficients.push_back(std::move(next));
+  }
+  return found;
+}
+
+EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches) {
+  std::vector<std::vector<double>> centred;
+  EstimatedNoise noise;
+  for (const auto& stretch : stretches) {
+    if (stretch.size() < fewest_samples) continue;
+    double mean = 0.0;
+    for (const double value : stretch) mean += value / static_cast<double>(stretch.size());
+    auto& one = centred.emplace_back();
+    for (const double value : stretch) one.push_back(value - mean);
+    noise.samples += static_cast<int>(stretch.size());
+  }
+  if (centred.empty()) return noise;
+  const double variance = covariance_at(centred, 0);
+  const auto count = static_cast<double>(noise.samples);
+  noise.deviation = std::sqrt(variance * count / (count - static_cast<double>(centred.size())));
+  if (!(variance > 0.0)) return noise;
+
+  const std::size_t lags =
+      std::min(most_lags, static_cast<std::size_t>(noise.samples) / samples_per_lag);
+  std::vector<double> correlation;
+  for (std::size_t lag = 1; lag <= lags; ++lag)
+    correlation.push_back((1.0 - white_share) * covariance_at(centred, lag) / variance);
+  const LinearPredictors predictors = linear_predictors(correlation);
+  std::size_t order = 0;
+  double best = 0.0;
+  for (std::size_t m = 1; m <= lags; ++m) {
+    const double criterion =
+        count * std::log(predictors.variance[m]) + static_cast<double>(m) * std::log(count);
+    if (criterion < best) {
+      best = criterion;
+      order = m;
+    }
+  }
+  correlation.resize(order);
+  noise.autocorrelation = std::move(correlation);
+  return noise;
+}
+
+double effective_share(const std::vector<double>& autocorrelation) {
+  const LinearPredictors predictors = linear_predictors(autocorrelation);
+  double gain = 1.0;  // of a constant through the whitening filter
+  for (const double coefficient : predictors.coefficients.back()) gain -= coefficient;
+  return gain * gain / predictors.variance.back();
+}
+
+}  // namespace rebound

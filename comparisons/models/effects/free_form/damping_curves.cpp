@@ -1,0 +1,50 @@
+#include "comparisons/models/effects/free_form/curve_points.hpp"
+
+namespace rebound {
+
+Effect damping_curves_effect() {
+  EffectCard card{
+      .name = "damping-curves",
+      .kind = EffectKind::dissipative,
+      .family = EffectFamily::rate,
+      .sentence =
+          "Damping force times curves over deflection and rate: the rate family without a "
+          "formula.",
+      .equation =
+          "F_d [1 + g(x/R)] [1 + h(|v|)], both smooth through values at 0, 1/5 ... 1 of "
+          "their reach; the size is the last of h",
+      .size_dimension = dimension::none,
+      .range = curve_range(),
+      .prior_scale = 0.3,
+      .parameters = curve_points("deflection", 6),
+      .signature =
+          "Odd in the rate: the force differs between loading and unloading at the same "
+          "deflection, and not where the ball turns.",
+      .experiment = "Further speeds; the rate at a deflection is what changes.",
+      .source = "piecewise cubic factors; restoring force surface, Masri & Caughey 1979",
+      .is_free_form = true};
+  for (EffectParameterCard& point : curve_points("rate", 5))
+    card.parameters.push_back(std::move(point));
+  card.parameters.push_back({.name = "deflection_reach",
+                             .sentence = "Deflection over radius at the last point of g.",
+                             .dimension = dimension::none,
+                             .range = from_to(0.005, 1.0),
+                             .default_value = 0.3,
+                             .kind = ParameterKind::largest_deflection});
+  card.parameters.push_back({.name = "rate_reach",
+                             .sentence = "Rate at the last point of h.",
+                             .dimension = dimension::speed,
+                             .range = from_to(1e-3, 1e3),
+                             .default_value = 30.0,
+                             .kind = ParameterKind::largest_rate});
+  return {.card = std::move(card),
+          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
+            DampingFactors& damping = problem.model.mechanisms.damping;
+            damping.deflection_curve =
+                curve_of(choice, "deflection", 6, choice.parameters.at("deflection_reach"));
+            damping.rate_curve = curve_of(choice, "rate", 5, choice.parameters.at("rate_reach"));
+            damping.rate_curve.value.back() = choice.size;
+          }};
+}
+
+}  // namespace rebound

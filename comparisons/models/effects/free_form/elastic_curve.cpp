@@ -1,0 +1,40 @@
+#include "comparisons/models/effects/free_form/curve_points.hpp"
+
+namespace rebound {
+
+Effect elastic_curve_effect() {
+  EffectCard card{
+      .name = "elastic-curve",
+      .kind = EffectKind::elastic,
+      .family = EffectFamily::elastic,
+      .sentence =
+          "Elastic force times a curve over the deflection: the elastic family without a "
+          "formula.",
+      .equation =
+          "F_e [1 + g(x/R)], g smooth through its values at 0, 1/5 ... 1 of the reach; "
+          "the size is the last one",
+      .size_dimension = dimension::none,
+      .range = curve_range(),
+      .prior_scale = 0.3,
+      .parameters = curve_points("at", 5),
+      .signature = "Loading and unloading alike, at every speed the same at the same deflection.",
+      .experiment = "A slow compression shows the curve itself.",
+      .source =
+          "piecewise cubic factor; discrepancy as a function of the state, Kennedy & O'Hagan "
+          "2001",
+      .is_free_form = true};
+  card.parameters.push_back({.name = "reach",
+                             .sentence = "Deflection over radius at the last point.",
+                             .dimension = dimension::none,
+                             .range = from_to(0.005, 1.0),
+                             .default_value = 0.3,
+                             .kind = ParameterKind::largest_deflection});
+  return {.card = std::move(card),
+          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
+            FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
+            curve.value.back() = choice.size;
+            problem.model.mechanisms.elastic.curve = curve;
+          }};
+}
+
+}  // namespace rebound

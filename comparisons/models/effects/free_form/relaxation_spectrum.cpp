@@ -1,0 +1,57 @@
+#include "comparisons/models/effects/free_form/curve_points.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double apart = 6.0;  // neighbouring relaxation times of the spectrum
+
+EffectParameterCard ratio(const std::string& name, const std::string& sentence) {
+  return {.name = name,
+          .sentence = sentence,
+          .dimension = dimension::none,
+          .range = from_to(0.0, 20.0),
+          .default_value = 0.0,
+          .fitted = true,
+          .kind = ParameterKind::linear,
+          .scale = 0.3};
+}
+
+}  // namespace
+
+Effect relaxation_spectrum_effect() {
+  return {.card = {.name = "relaxation-spectrum",
+                   .kind = EffectKind::dissipative,
+                   .family = EffectFamily::memory,
+                   .sentence = "Three relaxation times, each six times the one before: the memory "
+                               "family without a formula.",
+                   .equation = "F + q_1 + q_2 + q_3, q_i' = s_i F_e' - q_i/tau_i, s_i >= 0; the "
+                               "size is s_2",
+                   .size_dimension = dimension::none,
+                   .range = limit_of<&RelaxationBranch::ratio>.range,
+                   .prior_scale = 0.3,
+                   .parameters = {ratio("fast_ratio", "Ratio of the branch of tau/6."),
+                                  ratio("slow_ratio", "Ratio of the branch of 6 tau."),
+                                  {.name = "relaxation_time",
+                                   .sentence = "The middle one, tau.",
+                                   .dimension = dimension::time,
+                                   .range = limit_of<&RelaxationBranch::relaxation_time>.range,
+                                   .default_value = 1e-3,
+                                   .fitted = true}},
+                   .signature = "Force ends early at x > 0; stiffness grows with rate over more "
+                                "than one decade.",
+                   .experiment = "Hold and relax: the spectrum is the decay of the force.",
+                   .source = "generalised Maxwell model as a free spectrum, e.g. Tschoegl 1989",
+                   .is_free_form = true},
+          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
+            const double time = choice.parameters.at("relaxation_time");
+            Mechanisms& mechanisms = problem.model.mechanisms;
+            mechanisms.relaxation = {.ratio = choice.size, .relaxation_time = time};
+            mechanisms.further_relaxation = {
+                RelaxationBranch{.ratio = choice.parameters.at("fast_ratio"),
+                                 .relaxation_time = time / apart},
+                RelaxationBranch{.ratio = choice.parameters.at("slow_ratio"),
+                                 .relaxation_time = time * apart}};
+          }};
+}
+
+}  // namespace rebound

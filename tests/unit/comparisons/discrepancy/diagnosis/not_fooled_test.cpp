@@ -1,0 +1,131 @@
+// Data that once led a diagnosis to a name without evidence. Rates over seeds, not one seed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/inference/calibration/autocorrelation.hpp"
+#include "tests/support/gaussian_noise.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+using testing::believed_law;
+using testing::experiment_with;
+
+Dataset measured(const SynthesisFile& file) {
+  return synthesize(file, simulator_of(file, {})).dataset;
+}
+
+Diagnosis diagnosis_of(const Dataset& dataset, const LumpedModel& believed = believed_law()) {
+  DiagnosisRequest request;
+  request.datasets = {dataset};
+  request.believed = believed;
+  request.ask_fem = false;
+  return diagnose(request);
+}
+
+/// Noise of the stated size whose neighbours are alike, and nothing else hidden.
+Dataset null_with_correlated_noise(double coefficient, std::int64_t seed) {
+  SynthesisFile file = experiment_with({}, seed);
+  file.instrument.force_noise = 1e-9;
+  file.sampling.before = 1e-3;
+  Dataset dataset = measured(file);
+  dataset.instrument.force_noise = 20.0;
+  test::GaussianNoise normal(static_cast<std::uint64_t>(seed));
+  for (MeasuredImpact& shot : dataset.shots) {
+    double last = normal();
+    for (double& force : shot.trace.force) {
+      force += 20.0 * last;
+      last = coefficient * last + std::sqrt(1.0 - coefficient * coefficient) * normal();
+    }
+  }
+  return dataset;
+}
+
+int false_gaps(const std::function<Dataset(int)>& make, int count) {
+  int gaps = 0;
+  for (int seed = 0; seed < count; ++seed)
+    if (diagnosis_of(make(seed)).verdict != DiagnosisVerdict::agrees) ++gaps;
+  return gaps;
+}
+
+// Of 40 nulls at 5 %, six or more false gaps have a chance of 1.4 %.
+TEST(NotFooledTest, CorrelatedNoiseIsNoGap) {
+  for (const double coefficient : {0.5, 0.7})
+    EXPECT_LE(
+        false_gaps([&](int seed) { return null_with_correlated_noise(coefficient, seed); }, 20), 3)
+        << coefficient;
+}
+
+TEST(NotFooledTest, NoiseStatedWrongByTwoIsSeenAndSaid) {
+  int gaps = 0, said = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    SynthesisFile file = experiment_with({}, seed);
+    file.sampling.before = 1e-3;
+    Dataset dataset = measured(file);
+    dataset.instrument.force_noise = seed % 2 == 0 ? 10.0 : 40.0;
+    const Diagnosis d = diagnosis_of(dataset);
+    gaps += d.verdict != DiagnosisVerdict::agrees;
+    for (const auto& warning : d.warnings)
+      said += warning.find("are stated; the scatter is taken") != std::string::npos;
+  }
+  EXPECT_LE(gaps, 3);
+  EXPECT_EQ(said, 20);
+}
+
+// A believed stiffness that is off by eight either way, and a damping by seventeen or six.
+TEST(NotFooledTest, TheStartDoesNotDecide) {
+  const Dataset dataset = measured(experiment_with({}, 21));
+  const Diagnosis right = diagnosis_of(dataset);
+  ASSERT_EQ(right.verdict, DiagnosisVerdict::agrees);
+  for (const double stiffness : {0.125, 0.2, 8.0})
+    for (const double damping : {1.0 / 17.0, 6.0}) {
+      LumpedModel believed = believed_law();
+      believed.parameters["stiffness"] *= stiffness;
+      believed.parameters["damping"] *= damping;
+      const Diagnosis d = diagnosis_of(dataset, believed);
+      EXPECT_EQ(d.verdict, DiagnosisVerdict::agrees) << stiffness << " " << damping;
+      EXPECT_NEAR(d.best().chi_square, right.best().chi_square, 0.5);
+    }
+}
+
+TEST(NotFooledTest, AWrongGainOfOneShotIsNeverAPhysicalName) {
+  int named = 0;
+  for (int seed = 0; seed < 10; ++seed) {
+    Dataset dataset = measured(experiment_with({}, 40 + seed));
+    for (double& force : dataset.shots[static_cast<std::size_t>(seed) % 3].trace.force)
+      force *= 1.03;
+    const Diagnosis d = diagnosis_of(dataset);
+    named += d.verdict == DiagnosisVerdict::missing;
+  }
+  EXPECT_EQ(named, 0);
+}
+
+// Relaxation in 30 ms is stiffness to an impact of 2 ms: nothing may be said against it.
+TEST(NotFooledTest, ExcludedSizesCoverTheTruth) {
+  const EffectChoice hidden{"relaxation", 0.3, {{"relaxation_time", 30e-3}}};
+  for (int seed = 0; seed < 5; ++seed) {
+    const Diagnosis d = diagnosis_of(measured(experiment_with({hidden}, 60 + seed)));
+    for (const ExcludedSize& excluded : d.excluded) {
+      if (excluded.name != "relaxation") continue;
+      ASSERT_EQ(excluded.over.size(), 1u);
+      EXPECT_TRUE(excluded.size > 0.3 || excluded.over[0].highest < 30e-3);
+    }
+  }
+}
+
+TEST(NotFooledTest, ThreeSpeedsMeasuredApartAreHeldOutTogether) {
+  SynthesisFile file = experiment_with({}, 70);
+  file.shots = {{.speed = 5.0, .speed_uncertainty = 0.02},
+                {.speed = 14.89, .speed_uncertainty = 0.05},
+                {.speed = 14.96, .speed_uncertainty = 0.05},
+                {.speed = 14.97, .speed_uncertainty = 0.05},
+                {.speed = 25.0, .speed_uncertainty = 0.1}};
+  const Diagnosis d = diagnosis_of(measured(file));
+  EXPECT_EQ(d.unseen->shots.size(), 3u);
+  EXPECT_EQ(d.seen->shots.size(), 2u);
+}
+
+}  // namespace
+}  // namespace rebound

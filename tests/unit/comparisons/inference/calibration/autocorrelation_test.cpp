@@ -1,0 +1,70 @@
+#include "comparisons/inference/calibration/autocorrelation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/gaussian_noise.hpp"
+
+namespace rebound {
+namespace {
+
+std::vector<double> first_order(std::size_t count, double coefficient, unsigned seed) {
+  test::GaussianNoise normal(seed);
+  std::vector<double> series;
+  double last = normal();
+  for (std::size_t i = 0; i < count; ++i) {
+    series.push_back(last);
+    last = coefficient * last + std::sqrt(1.0 - coefficient * coefficient) * normal();
+  }
+  return series;
+}
+
+TEST(AutocorrelationTest, PredictorsOfAFirstOrderSeries) {
+  const LinearPredictors found = linear_predictors({0.7, 0.49, 0.343});
+  EXPECT_NEAR(found.coefficients[3][0], 0.7, 1e-14);
+  EXPECT_NEAR(found.coefficients[3][1], 0.0, 1e-14);
+  EXPECT_NEAR(found.variance[3], 1.0 - 0.49, 1e-14);
+}
+
+TEST(AutocorrelationTest, WhiteNoiseIsWhite) {
+  int coloured = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const auto series = first_order(300, 0.0, seed);
+    if (!estimate_noise({series}).autocorrelation.empty()) ++coloured;
+  }
+  EXPECT_LE(coloured, 10);
+}
+
+TEST(AutocorrelationTest, FindsAnAutoregressiveSeries) {
+  const auto series = first_order(4000, 0.7, 3);
+  const EstimatedNoise noise = estimate_noise({series});
+  ASSERT_FALSE(noise.autocorrelation.empty());
+  const LinearPredictors found = linear_predictors(noise.autocorrelation);
+  EXPECT_NEAR(found.coefficients.back()[0], 0.7, 0.05);
+  EXPECT_NEAR(noise.deviation, 1.0, 0.1);
+}
+
+TEST(AutocorrelationTest, ShortStretchesTellTogether) {
+  std::vector<std::vector<double>> parts;
+  for (unsigned seed = 0; seed < 10; ++seed) parts.push_back(first_order(30, 0.7, seed));
+  const std::vector<std::span<const double>> stretches(parts.begin(), parts.end());
+  const EstimatedNoise noise = estimate_noise(stretches);
+  EXPECT_EQ(noise.samples, 300);
+  EXPECT_FALSE(noise.autocorrelation.empty());
+}
+
+TEST(AutocorrelationTest, NothingToSeeIsNothing) {
+  EXPECT_EQ(estimate_noise({}).deviation, 0.0);
+  const std::vector<double> still(50, 3.0);
+  EXPECT_EQ(estimate_noise({still}).deviation, 0.0);
+}
+
+// (1 − ρ)/(1 + ρ) of a first-order series.
+TEST(AutocorrelationTest, EffectiveShareOfAFirstOrderSeries) {
+  EXPECT_NEAR(effective_share({0.5}), 1.0 / 3.0, 1e-14);
+  EXPECT_EQ(effective_share({}), 1.0);
+}
+
+}  // namespace
+}  // namespace rebound

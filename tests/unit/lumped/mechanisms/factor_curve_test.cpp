@@ -1,0 +1,83 @@
+#include "lumped/mechanisms/factor_curve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lumped/integration/simulate.hpp"
+#include "lumped/mechanisms/unloading_memory.hpp"
+#include "tests/support/lumped_cases.hpp"
+
+namespace rebound {
+namespace {
+
+TEST(FactorCurveTest, NothingIsOne) {
+  EXPECT_EQ(curve_factor({}, 0.3), 1.0);
+  for (const double u : {0.0, 0.11, 0.4, 2.0}) EXPECT_EQ(curve_factor({.end = 0.4}, u), 1.0);
+}
+
+TEST(FactorCurveTest, GoesThroughItsPointsAndStaysBeyond) {
+  const FactorCurve curve{.value = {0.1, -0.2, 0.3, 0.0, 0.5, -0.1}, .end = 0.5};
+  for (std::size_t k = 0; k < FactorCurve::points; ++k)
+    EXPECT_NEAR(curve_factor(curve, 0.1 * static_cast<double>(k)), 1.0 + curve.value[k], 1e-14);
+  EXPECT_NEAR(curve_factor(curve, 3.0), 0.9, 1e-14);
+}
+
+TEST(FactorCurveTest, ALineStaysALine) {
+  const FactorCurve line{.value = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5}, .end = 0.5};
+  for (double u = 0.0; u < 0.5; u += 0.013) EXPECT_NEAR(curve_factor(line, u), 1.0 + u, 1e-14);
+}
+
+TEST(FactorCurveTest, SlopesMeetAtThePoints) {
+  const FactorCurve curve{.value = {0.1, -0.2, 0.3, 0.0, 0.5, -0.1}, .end = 1.0};
+  constexpr double h = 1e-6;
+  for (const double u : {0.2, 0.4, 0.6, 0.8}) {
+    const double before = (curve_factor(curve, u) - curve_factor(curve, u - h)) / h;
+    const double after = (curve_factor(curve, u + h) - curve_factor(curve, u)) / h;
+    EXPECT_NEAR(before, after, 1e-3);
+  }
+}
+
+// A straight curve over x/R is the stiffening 1 + b x/R, which has a formula of its own.
+TEST(FactorCurveTest, AStraightElasticCurveIsStiffening) {
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.mechanisms.elastic.stiffening = 0.8;
+  const LumpedResult by_formula = simulate(problem);
+  problem.model.mechanisms.elastic = {};
+  problem.model.mechanisms.elastic.curve = {.value = {0.0, 0.16, 0.32, 0.48, 0.64, 0.8},
+                                            .end = 1.0};
+  const LumpedResult by_curve = simulate(problem);
+  EXPECT_NEAR(by_curve.scalars.peak_force / by_formula.scalars.peak_force, 1.0, 1e-8);
+  EXPECT_NEAR(by_curve.scalars.restitution, by_formula.scalars.restitution, 1e-8);
+  EXPECT_LT(by_curve.closures.energy, 1e-6);
+}
+
+// A straight curve over η/x_max that ends at zero is hysteresis.
+TEST(FactorCurveTest, AStraightUnloadingCurveIsHysteresis) {
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.mechanisms.memory.hysteresis = 0.25;
+  const LumpedResult by_formula = simulate(problem);
+  problem.model.mechanisms.memory = {};
+  problem.model.mechanisms.memory.curve = {.value = {-0.25, -0.2, -0.15, -0.1, -0.05, 0.0},
+                                           .end = 1.0};
+  const LumpedResult by_curve = simulate(problem);
+  EXPECT_NEAR(by_curve.scalars.restitution, by_formula.scalars.restitution, 1e-8);
+  EXPECT_LT(by_curve.closures.energy, 1e-6);
+}
+
+// Three equal branches are one of three times the ratio.
+TEST(FactorCurveTest, BranchesOfOneTimeAdd) {
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.mechanisms.relaxation = {.ratio = 0.6, .relaxation_time = 4e-4};
+  const LumpedResult one = simulate(problem);
+  problem.model.mechanisms.relaxation.ratio = 0.2;
+  problem.model.mechanisms.further_relaxation = {
+      RelaxationBranch{.ratio = 0.2, .relaxation_time = 4e-4},
+      RelaxationBranch{.ratio = 0.2, .relaxation_time = 4e-4}};
+  const LumpedResult three = simulate(problem);
+  EXPECT_NEAR(three.scalars.restitution, one.scalars.restitution, 1e-7);
+  EXPECT_NEAR(three.scalars.peak_force / one.scalars.peak_force, 1.0, 1e-7);
+}
+
+}  // namespace
+}  // namespace rebound
