@@ -40,26 +40,26 @@ EffectForm listed(EffectForm form, std::function<double(double s, double x_over_
 std::vector<EffectForm> listed_forms() {
   return {listed({.name = "power",
                   .formula = "F_e (10 x/R)^s, damping force unchanged",
-                  .smallest = 0.01,
+                  .smallest = 0.001,
                   .largest = 0.4,
                   .either_sign = true,
                   .registry_name = "force-exponent"},
                  [](double s, double r) { return std::pow(10.0 * r, s); }),
           listed({.name = "linear-stiffening",
                   .formula = "F_e (1 + s x/R), damping force unchanged",
-                  .smallest = 0.03,
+                  .smallest = 0.003,
                   .largest = 4.0,
                   .registry_name = "strain-stiffening"},
                  [](double s, double r) { return 1.0 + s * r; }),
           listed({.name = "foam",
                   .formula = "F_e (1 - s (1 - exp(-20 x/R))), damping force unchanged",
-                  .smallest = 0.02,
+                  .smallest = 0.002,
                   .largest = 0.6,
                   .registry_name = "foam-softening"},
                  [](double s, double r) { return 1.0 - s * (1.0 - std::exp(-20.0 * r)); }),
           listed({.name = "stiff-shell",
                   .formula = "F_e (1 + s exp(-10 x/R)), damping force unchanged",
-                  .smallest = 0.05,
+                  .smallest = 0.005,
                   .largest = 2.0,
                   .registry_name = "layered-core"},
                  [](double s, double r) { return 1.0 + s * std::exp(-10.0 * r); })};
@@ -69,7 +69,7 @@ EffectForm bilinear() {
   return {.family = "elastic",
           .name = "bilinear",
           .formula = "H + s 1.5 k sqrt(x_b) (x - x_b) beyond x_b; damping grows with it",
-          .smallest = 0.03,
+          .smallest = 0.003,
           .largest = 2.0,
           .secondary = {{"x_b_over_x_ref", 0.3, 0.7}},
           .registry_name = "densification",
@@ -89,14 +89,14 @@ std::vector<EffectForm> elastic_forms() {
   std::vector<EffectForm> forms = listed_forms();
   forms.push_back(by_factor({.name = "power-with-damping",
                              .formula = "H u^s; damping grows with it",
-                             .smallest = 0.01,
+                             .smallest = 0.001,
                              .largest = 0.4,
                              .either_sign = true,
                              .registry_name = "force-exponent"},
                             [](double s, double u) { return std::pow(u, s); }));
   forms.push_back(by_factor({.name = "polynomial",
                              .formula = "H (1 + s u^2); damping grows with it",
-                             .smallest = 0.02,
+                             .smallest = 0.002,
                              .largest = 1.5,
                              .registry_name = "strain-stiffening"},
                             [](double s, double u) { return 1.0 + s * u * u; }));
@@ -104,7 +104,7 @@ std::vector<EffectForm> elastic_forms() {
       by_factor({.name = "limiting-stretch",
                  .formula = "H/(1 - s u^2), s = (x_ref/x_limit)^2; damping grows "
                             "with it",
-                 .smallest = 0.02,
+                 .smallest = 0.002,
                  .largest = 0.55,
                  .registry_name = "strain-stiffening"},
                 [](double s, double u) { return 1.0 / (1.0 - std::min(0.95, s * u * u)); }));
@@ -113,14 +113,14 @@ std::vector<EffectForm> elastic_forms() {
       by_factor({.name = "exponential",
                  .formula = "k sqrt(x) (exp(a x) - 1)/a, a = s/x_ref; damping grows "
                             "with it",
-                 .smallest = 0.03,
+                 .smallest = 0.003,
                  .largest = 1.5,
                  .registry_name = "strain-stiffening"},
                 [](double s, double u) { return u > 1e-9 ? std::expm1(s * u) / (s * u) : 1.0; }));
   forms.push_back(
       by_factor({.name = "softening-tanh",
                  .formula = "H tanh(s u)/(s u); damping grows with it",
-                 .smallest = 0.15,
+                 .smallest = 0.015,
                  .largest = 1.6,
                  .registry_name = "foam-softening"},
                 [](double s, double u) { return u > 1e-9 ? std::tanh(s * u) / (s * u) : 1.0; }));

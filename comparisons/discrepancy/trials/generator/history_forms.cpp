@@ -31,7 +31,7 @@ EffectForm thornton() {
           .formula =
               "yield at x_y = (1 - s) x_ref, then its tangent; unloading k_p (x - x_p)^1.5, "
               "k_p = k sqrt(H(x_m)/F_m)",
-          .smallest = 0.05,
+          .smallest = 0.005,
           .largest = 0.85,
           .registry_name = "permanent-set",
           .apply = [](double s, const Parameters&, const Scales& scales, HiddenWorld& world) {
@@ -53,7 +53,7 @@ EffectForm bouc_wen() {
   return {.family = "history",
           .name = "bouc-wen",
           .formula = "E (1 + s z), z' = (x' - z |x'|)/x_c",
-          .smallest = 0.005,
+          .smallest = 0.0005,
           .largest = 0.3,
           .secondary = {{"x_c_over_x_ref", 0.05, 0.4}},
           .registry_name = "hysteresis",
@@ -73,7 +73,7 @@ std::vector<EffectForm> history_forms() {
   return {
       history({.name = "walton-braun",
                .formula = "unloading E(x_m) - (1 + s) (E(x_m) - E(x)), not below 0",
-               .smallest = 0.01,
+               .smallest = 0.001,
                .largest = 1.5,
                .registry_name = "permanent-set"},
               [](double s, const Parameters&, double x, double largest, const Virgin& virgin) {
@@ -83,7 +83,7 @@ std::vector<EffectForm> history_forms() {
       thornton(),
       history({.name = "mullins-exponential",
                .formula = "unloading E [1 - s (1 - exp(-b (1 - x/x_m)))/(1 - exp(-b))]",
-               .smallest = 0.01,
+               .smallest = 0.001,
                .largest = 0.6,
                .secondary = {{"b", 1.0, 8.0}},
                .registry_name = "hysteresis"},
@@ -94,7 +94,7 @@ std::vector<EffectForm> history_forms() {
               }),
       history({.name = "linear-hysteresis",
                .formula = "unloading E [1 - s (1 - x/x_m)]",
-               .smallest = 0.01,
+               .smallest = 0.001,
                .largest = 0.6,
                .registry_name = "hysteresis",
                .in_registry = true},
@@ -104,7 +104,7 @@ std::vector<EffectForm> history_forms() {
       bouc_wen(),
       history({.name = "permanent-set",
                .formula = "unloading E(x_m) ((x - s x_m)/((1 - s) x_m))^1.5",
-               .smallest = 0.005,
+               .smallest = 0.0005,
                .largest = 0.3,
                .registry_name = "permanent-set",
                .in_registry = true},

@@ -24,7 +24,7 @@ EffectForm memory(
 EffectForm two_branches() {
   return memory({.name = "prony-two",
                  .formula = "F + q1 + q2, q_i' = s_i F_e' - q_i/tau_i, s_1 + s_2 = s",
-                 .smallest = 0.01,
+                 .smallest = 0.001,
                  .largest = 0.8,
                  .secondary = {{"first_share", 0.3, 0.7},
                                {"first_time_over_T", 0.03, 0.3},
@@ -40,7 +40,7 @@ EffectForm two_branches() {
 EffectForm stretched_exponential() {
   return memory({.name = "stretched-exponential",
                  .formula = "relaxation function s exp(-(t/tau)^beta) of F_e, as many branches",
-                 .smallest = 0.01,
+                 .smallest = 0.001,
                  .largest = 0.8,
                  .secondary = {{"time_over_T", 0.1, 2.0}, {"beta", 0.3, 0.7}}},
                 [](double s, const Parameters& p, const Scales& scales) {
@@ -54,7 +54,7 @@ EffectForm stretched_exponential() {
 EffectForm springpot() {
   return memory({.name = "springpot",
                  .formula = "relaxation function s (t/T)^(-alpha) of F_e, as many branches",
-                 .smallest = 0.005,
+                 .smallest = 0.0005,
                  .largest = 0.4,
                  .secondary = {{"alpha", 0.1, 0.5}}},
                 [](double s, const Parameters& p, const Scales& scales) {
@@ -70,7 +70,7 @@ EffectForm springpot() {
 std::vector<EffectForm> memory_forms() {
   return {memory({.name = "prony-one",
                   .formula = "F + q, q' = s F_e' - q/tau",
-                  .smallest = 0.01,
+                  .smallest = 0.001,
                   .largest = 0.8,
                   .secondary = {{"time_over_T", 0.05, 2.0}},
                   .in_registry = true},
@@ -81,7 +81,7 @@ std::vector<EffectForm> memory_forms() {
           two_branches(), stretched_exponential(), springpot(),
           memory({.name = "standard-linear-solid",
                   .formula = "F + q, q' = s k_1 x' - q/tau, k_1 = F_ref/x_ref",
-                  .smallest = 0.01,
+                  .smallest = 0.001,
                   .largest = 0.6,
                   .secondary = {{"time_over_T", 0.05, 2.0}}},
                  [](double s, const Parameters& p, const Scales& scales) {

@@ -13,7 +13,7 @@ EffectForm stick_slip() {
           .formula =
               "while loading E (1 + s (frac(x/d) - 1/2)): builds up and slips at fixed "
               "deflections",
-          .smallest = 0.02,
+          .smallest = 0.002,
           .largest = 0.5,
           .secondary = {{"d_over_x_ref", 0.1, 0.4}},
           .apply = [](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
@@ -32,7 +32,7 @@ EffectForm fracture() {
   return {.family = "out_of_family",
           .name = "fracture",
           .formula = "above the speed v_c: E (1 - s) for good once x has reached 0.5 x_ref v/v_max",
-          .smallest = 0.02,
+          .smallest = 0.002,
           .largest = 0.6,
           .secondary = {{"v_c_share", 0.2, 0.8, true}},
           .apply = [](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
@@ -53,7 +53,7 @@ EffectForm ageing() {
   return {.family = "out_of_family",
           .name = "ageing",
           .formula = "stiffness (1 + s i/(n - 1)) k in shot i of n: the ball warms up or hardens",
-          .smallest = 0.01,
+          .smallest = 0.001,
           .largest = 0.4,
           .either_sign = true,
           .apply = [](double s, const Parameters&, const Scales&, HiddenWorld& world) {
@@ -67,7 +67,7 @@ EffectForm second_ball() {
   return {.family = "out_of_family",
           .name = "second-ball",
           .formula = "a ball of s times the mass follows and hits the first from behind",
-          .smallest = 0.01,
+          .smallest = 0.001,
           .largest = 0.5,
           .secondary = {{"delay_over_T", 0.1, 0.4}},
           .apply = [](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
@@ -81,7 +81,7 @@ EffectForm magnet() {
   return {.family = "out_of_family",
           .name = "magnet",
           .formula = "pull s F_ref exp(-gap/L) between ball and plate, also out of contact",
-          .smallest = 0.001,
+          .smallest = 0.0001,
           .largest = 0.15,
           .secondary = {{"L_over_x_ref", 0.5, 5.0}},
           .apply = [](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {

@@ -60,7 +60,7 @@ std::vector<EffectForm> surface_forms() {
       surface({.name = "jkr-like",
                .formula = "pull P (u^0.75 + [1 - (x/x_m)^2] on the way back), then a neck that "
                           "tears at 0.05 x_ref beyond the plate",
-               .smallest = 0.003,
+               .smallest = 0.0003,
                .largest = 0.25},
               neck,
               [](const PullState& now) {
@@ -70,7 +70,7 @@ std::vector<EffectForm> surface_forms() {
               }),
       surface({.name = "dmt",
                .formula = "pull P while in contact, at once",
-               .smallest = 0.003,
+               .smallest = 0.0003,
                .largest = 0.25,
                .in_registry = true,
                .registry_size = work_of_adhesion},
@@ -78,7 +78,7 @@ std::vector<EffectForm> surface_forms() {
       surface({.name = "exponential-cohesive",
                .formula = "on the way back P [1 - (x/x_m)^2] exp(-|x|/x_c), to 0.25 x_ref beyond "
                           "the plate",
-               .smallest = 0.003,
+               .smallest = 0.0003,
                .largest = 0.25,
                .secondary = {{"x_c_over_x_ref", 0.02, 0.3}}},
               0.25,
@@ -89,7 +89,7 @@ std::vector<EffectForm> surface_forms() {
       surface({.name = "capillary",
                .formula = "pull P (1 - exp(-x_m/h)) in contact, P/(1 + gap/h)^2 beyond, to 0.3 "
                           "x_ref; h the height of the liquid",
-               .smallest = 0.003,
+               .smallest = 0.0003,
                .largest = 0.25,
                .secondary = {{"h_over_x_ref", 0.01, 0.1}}},
               0.3, [](const PullState& now) {
