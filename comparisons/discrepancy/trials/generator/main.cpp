@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 
@@ -48,8 +50,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--count", options.count, "How many trials, 1 to 9999.")
       ->type_name("N")
       ->check(CLI::Range(1, 9999));
-  app.add_option("--seed", options.seed, "Whole number from which all content is drawn.")
-      ->type_name("S");
+  app.add_option("--seed", options.seed, "Whole number from which all content is drawn, 0 to 9e15.")
+      ->type_name("S")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{9'000'000'000'000'000}));
   app.add_option("--set", options.set,
                  "Name of the set, a part of the seed and of the data sets' names.")
       ->type_name("NAME")

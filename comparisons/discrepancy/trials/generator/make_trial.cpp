@@ -97,7 +97,11 @@ double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& e
     shot.restitution_uncertainty = trial.restitution_uncertainty;
     problem.shots.push_back(std::move(shot));
   }
-  return refit_baseline(problem).chi_square;
+  // A second start, for an effect may have a nearer minimum in the way.
+  const double from_truth = refit_baseline(problem).chi_square;
+  problem.ball.stiffness *= 1.3;
+  problem.ball.damping *= 0.5;
+  return std::min(from_truth, refit_baseline(problem).chi_square);
 }
 
 Trial make_trial(const TrialRequest& request) {

@@ -18,7 +18,7 @@ struct RefitShot {
 };
 
 struct RefitProblem {
-  BaselineBall ball;  ///< the truth without effects: start of the search
+  BaselineBall ball;  ///< start of the search; the mass stays
   double gain = 1.0;  ///< true, without effects
   double gain_uncertainty = 0.0;
   double noise = 0.0;  ///< deviation of a sample, also the uncertainty of the offset [N]
@@ -40,7 +40,7 @@ struct Refit {
 ///
 /// Free: k, λ ≥ 0, gain g, offset b, and start time t_j and speed v_j of every shot. Each prior is
 /// centred on the true value, so that χ² is zero without an effect and has no random part.
-/// Scheme: Gauss–Newton with Levenberg's damping, one start, at the truth.
+/// Scheme: Gauss–Newton with Levenberg's damping, from one start.
 Refit refit_baseline(const RefitProblem& problem);
 
 }  // namespace trials
