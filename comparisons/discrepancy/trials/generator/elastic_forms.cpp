@@ -17,7 +17,7 @@ void scale_force(HiddenWorld& world, const Scales& scales, const Factor& factor)
 }
 
 /// Forms that are a factor on H, with the damping of the baseline growing with the changed force.
-EffectForm by_factor(EffectForm form, std::function<double(double s, double u)> factor) {
+EffectForm by_factor(EffectForm form, const std::function<double(double s, double u)>& factor) {
   form.family = "elastic";
   form.apply = [factor](double s, const Parameters&, const Scales& scales, HiddenWorld& world) {
     scale_force(world, scales, [=](double u) { return factor(s, u); });
@@ -26,7 +26,8 @@ EffectForm by_factor(EffectForm form, std::function<double(double s, double u)> 
 }
 
 /// The forms of the project's list: they leave the damping force as it was.
-EffectForm listed(EffectForm form, std::function<double(double s, double x_over_radius)> factor) {
+EffectForm listed(EffectForm form,
+                  const std::function<double(double s, double x_over_radius)>& factor) {
   form.family = "elastic";
   form.in_registry = true;
   form.apply = [factor](double s, const Parameters&, const Scales& scales, HiddenWorld& world) {

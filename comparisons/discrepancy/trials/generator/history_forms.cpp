@@ -12,7 +12,7 @@ using Virgin = std::function<double(double)>;
 using Unloading =
     std::function<double(double s, const Parameters&, double x, double largest, const Virgin&)>;
 
-EffectForm history(EffectForm form, Unloading unloading) {
+EffectForm history(EffectForm form, const Unloading& unloading) {
   form.family = "history";
   form.apply = [unloading](double s, const Parameters& parameters, const Scales&,
                            HiddenWorld& world) {

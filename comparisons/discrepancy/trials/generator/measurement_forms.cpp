@@ -11,7 +11,7 @@ namespace {
 
 using Fault = std::function<void(double s, const Parameters&, const Scales&, MeasuringChain&)>;
 
-EffectForm fault(EffectForm form, Fault fault) {
+EffectForm fault(EffectForm form, const Fault& fault) {
   form.family = "measurement";
   form.apply = [fault](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
     fault(s, more, scales, world.chain);

@@ -8,10 +8,10 @@
 namespace trials {
 namespace {
 
-EffectForm memory(
-    EffectForm form,
-    std::function<std::vector<MaxwellBranch>(double s, const Parameters&, const Scales&)>
-        branches) {
+using Branches =
+    std::function<std::vector<MaxwellBranch>(double s, const Parameters&, const Scales&)>;
+
+EffectForm memory(EffectForm form, const Branches& branches) {
   form.family = "memory";
   form.registry_name = "relaxation";
   form.apply = [branches](double s, const Parameters& parameters, const Scales& scales,

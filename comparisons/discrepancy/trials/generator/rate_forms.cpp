@@ -11,7 +11,7 @@ using Dissipation =
     std::function<double(double s, const Scales&, const Approach&, double baseline)>;
 
 /// A form that changes D alone.
-EffectForm by_damping(EffectForm form, Dissipation changed) {
+EffectForm by_damping(EffectForm form, const Dissipation& changed) {
   form.family = "rate";
   form.apply = [changed](double s, const Parameters&, const Scales& scales, HiddenWorld& world) {
     world.impact.dissipation = [=](const Approach& now, double baseline) {
@@ -33,8 +33,8 @@ double dashpot(double s, const Scales& scales) {
   return s * scales.force / scales.largest_speed;
 }
 
-EffectForm by_stiffness(EffectForm form,
-                        std::function<double(double s, const Scales&, double speed)> factor) {
+EffectForm by_stiffness(
+    EffectForm form, const std::function<double(double s, const Scales&, double speed)>& factor) {
   form.family = "rate";
   form.apply = [factor](double s, const Parameters&, const Scales& scales, HiddenWorld& world) {
     world.impact.damping_follows_elastic = false;

@@ -28,7 +28,7 @@ double work_of_adhesion(double s, const Scales& scales) {
 }
 
 EffectForm surface(EffectForm form, double gap_over_x_ref,
-                   std::function<double(const PullState&)> pull) {
+                   const std::function<double(const PullState&)>& pull) {
   form.family = "surface";
   form.registry_name = "adhesion";
   form.apply = [=](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
