@@ -1,0 +1,68 @@
+#include "comparisons/discrepancy/trials/generator/noise.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace trials {
+namespace {
+
+void add_autoregressive(std::vector<double>& noise, double correlation, double deviation,
+                        Random& random) {
+  const double fresh = std::sqrt(1.0 - correlation * correlation);
+  double state = random.normal();
+  for (double& value : noise) {
+    value += deviation * state;
+    state = correlation * state + fresh * random.normal();
+  }
+}
+
+/// Two poles p: y = p y₋ + (1−p) w twice. Variance of the second output for unit white input:
+/// (1−p)⁴ (1+p²)/(1−p²)³.
+void add_band_limited(std::vector<double>& noise, double cut_off_over_rate, double deviation,
+                      Random& random) {
+  const double pole = std::exp(-2.0 * std::numbers::pi * cut_off_over_rate);
+  const double one = 1.0 - pole * pole;
+  const double variance = std::pow(1.0 - pole, 4) * (1.0 + pole * pole) / (one * one * one);
+  const double scale = deviation / std::sqrt(variance);
+  const int settling = static_cast<int>(30.0 / (1.0 - pole));
+  double first = 0.0, second = 0.0;
+  for (int i = -settling; i < static_cast<int>(noise.size()); ++i) {
+    first += (1.0 - pole) * (random.normal() - first);
+    second += (1.0 - pole) * (first - second);
+    if (i >= 0) noise[i] += scale * second;
+  }
+}
+
+}  // namespace
+
+std::string name_of(NoiseColour colour) {
+  switch (colour) {
+    case NoiseColour::white: return "white";
+    case NoiseColour::autoregressive: return "autoregressive";
+    case NoiseColour::band_limited: return "band-limited";
+    case NoiseColour::one_over_f: return "1/f";
+  }
+  return "";
+}
+
+std::vector<double> draw_noise(const Noise& noise, int count, Random& random) {
+  std::vector<double> drawn(count, 0.0);
+  switch (noise.colour) {
+    case NoiseColour::white: add_autoregressive(drawn, 0.0, noise.deviation, random); break;
+    case NoiseColour::autoregressive:
+      add_autoregressive(drawn, noise.parameter, noise.deviation, random);
+      break;
+    case NoiseColour::band_limited:
+      add_band_limited(drawn, noise.parameter, noise.deviation, random);
+      break;
+    case NoiseColour::one_over_f: {
+      constexpr int parts = 8;
+      for (int i = 0; i < parts; ++i)
+        add_autoregressive(drawn, std::exp(-1.0 / std::pow(2.0, 1.5 * i - 1.0)),
+                           noise.deviation / std::sqrt(parts), random);
+    }
+  }
+  return drawn;
+}
+
+}  // namespace trials

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/trials/generator/baseline_pulse.hpp"
+#include "comparisons/discrepancy/trials/generator/hidden_effect.hpp"
+#include "comparisons/discrepancy/trials/generator/noise.hpp"
+
+namespace trials {
+
+/// What one trial is drawn from.
+struct TrialRequest {
+  std::uint64_t seed = 0;
+  std::string set;
+  int number = 1;
+  std::string only;  ///< a kind or the name of a form; empty: all kinds
+};
+
+/// A number as the data set states it, with one standard deviation.
+struct Stated {
+  double value = 0.0;
+  double uncertainty = 0.0;
+};
+
+struct TrialShot {
+  Stated speed;             ///< [m/s]
+  double true_speed = 0.0;  ///< [m/s]
+  double true_restitution = 0.0;
+  double true_contact_time = 0.0;  ///< [s]
+  double true_peak_force = 0.0;    ///< before the measuring chain [N]
+  std::optional<Stated> restitution{};
+  double sampling_phase = 0.0;  ///< of the first sample, in sampling intervals
+  std::vector<double> time;     ///< as written [s]
+  std::vector<double> force;    ///< as written [N]
+};
+
+/// How well the noise is stated.
+enum class NoiseStatement { right, half, twice, absent };
+std::string name_of(NoiseStatement statement);
+
+/// One trial: what is stated, what is true, what was recorded.
+struct Trial {
+  TrialRequest request;
+  std::string kind;
+
+  BaselineBall ball;    ///< true mass, stiffness, damping
+  double radius = 0.0;  ///< true [m]
+  double restitution_at_mid_speed = 0.0;
+  Stated mass;      ///< [kg]
+  Stated diameter;  ///< [m]
+  double true_gain = 1.0;
+  double gain_uncertainty = 0.0;
+
+  Noise noise;
+  NoiseStatement noise_statement = NoiseStatement::right;
+  std::optional<double> stated_noise{};  ///< [N]
+
+  double sampling_rate = 0.0;  ///< [Hz]
+  int samples_before = 0;
+  double after_share = 0.0;  ///< record after contact, in contact times
+  std::optional<double> restitution_uncertainty{};
+
+  Scales scales;
+  std::vector<HiddenEffect> effects;
+  std::vector<TrialShot> shots;
+  double visible_chi_square = 0.0;
+
+  double believed_stiffness = 0.0;  ///< [N/m^1.5]
+  double believed_damping = 0.0;    ///< k λ [N s/m^2.5]
+};
+
+/// Kinds of trials that can be asked for, beside the names of forms.
+const std::vector<std::string>& kinds();
+
+/// Draws and records one trial. The same request gives the same trial, bit for bit.
+Trial make_trial(const TrialRequest& request);
+
+/// Ball, speeds, instrument and noise: everything but effects and records.
+Trial draw_experiment(const TrialRequest& request);
+
+/// Draws kind, forms, secondary numbers and sizes.
+void draw_effects(Trial& trial);
+
+/// Noise-free record of all shots with these effects, clipped and rounded.
+/// Errors: NoRebound.
+struct NoiseFree {
+  HiddenWorld world;
+  std::vector<SimulatedImpact> impacts;
+  std::vector<Sampling> samplings;
+};
+NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+/// χ² of these effects against the refitted baseline, in white noise of the true deviation.
+/// Errors: NoRebound.
+double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+}  // namespace trials
