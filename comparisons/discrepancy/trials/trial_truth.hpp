@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rebound {
+
+/// One effect hidden in a trial.
+struct TrialEffect {
+  std::string family;         ///< as the diagnosis names families, or "out_of_family"
+  std::string form;           ///< the generator's own name
+  std::string registry_name;  ///< the nearest effect of this project's list
+  bool in_registry = false;   ///< of the very form of the list
+  std::optional<double> registry_size;
+};
+
+struct TrialTruth {
+  int trial = 0;
+  std::vector<TrialEffect> effects;  ///< empty: a null
+  double visible_chi_square = 0.0;
+  std::string noise_colour, noise_stated;
+};
+
+/// Reads the truths of a folder.
+/// Errors: Error(corrupt_store) where the bytes of a truth are not those that were sealed, or no
+/// seal stands for it.
+std::vector<TrialTruth> read_truths(const std::filesystem::path& folder);
+
+}  // namespace rebound
