@@ -18,6 +18,13 @@ namespace rebound {
 /// every physical explanation and are never left out of a diagnosis.
 enum class EffectKind { elastic, dissipative, inertial, boundary, damping_formula, measurement };
 
+/// How a further number of an effect is looked for.
+enum class ParameterKind {
+  logarithmic,  ///< positive; the unknown of a fit is its logarithm
+  linear,       ///< of any sign; the unknown is the number itself
+  shot          ///< one of the shots, from 1; no unknown of a fit: a diagnosis tries every shot
+};
+
 /// A further number of an effect, beside its size.
 struct EffectParameterCard {
   std::string name;  ///< TOML key, e.g. "relaxation_time"
@@ -26,6 +33,9 @@ struct EffectParameterCard {
   Range range;  ///< SI
   double default_value = 0.0;
   bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
+  ParameterKind kind = ParameterKind::logarithmic;
+  double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
+  std::vector<double> tried{};  ///< where a diagnosis looks, SI; empty: decades about the default
 };
 
 /// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,
@@ -51,6 +61,9 @@ struct EffectCard {
   /// not); sizes between interpolate, for derivatives.
   bool is_switch = false;
   std::vector<EffectParameterCard> parameters;
+  /// Sizes from which a diagnosis looks, SI; empty: multiples of the prior scale. For effects
+  /// that start all at once, so that derivatives at the null say nothing.
+  std::vector<double> tried{};
   std::string signature;   ///< where it shows
   std::string experiment;  ///< what would tell it from its rivals
   std::string source;
