@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 
 namespace rebound {
@@ -15,6 +16,7 @@ constexpr double assumed_gain_uncertainty = 0.02;
 constexpr double assumed_speed_uncertainty = 0.005;
 constexpr double clearly_in_contact = 0.1;  // of the peak: above any noise that allows a diagnosis
 constexpr std::size_t most_samples = 600;   // a contact
+constexpr double worth_a_warning = 0.3;     // rounding over noise: 5 % of its deviation
 constexpr std::size_t fewest_quiet = 20;    // samples before contact that make a scatter
 
 /// From a little before first touch to a little after separation. The threshold is a share of
@@ -50,6 +52,19 @@ void average(MeasuredImpact& shot, std::size_t block) {
   }
 }
 
+/// The noise of a history with that of its rounding, where rounding is worth a word. `noise` is
+/// as stated; one measured on the quiet holds the rounding unless it is smaller.
+double with_rounding(const MeasuredImpact& shot, const std::vector<double>& force, double noise,
+                     Observations& seen) {
+  const double rounding = quantisation_noise(quantisation_step(force));
+  if (!(rounding > worth_a_warning * noise)) return noise;
+  seen.warnings.push_back(
+      fmt::format("{}: the force is recorded in steps of {:.3g} N; {:.3g} N of rounding count as "
+                  "noise",
+                  shot.label, rounding * std::sqrt(12.0), rounding));
+  return shot.noise.deviation > 0.0 ? std::hypot(noise, rounding) : std::max(noise, rounding);
+}
+
 /// Leaves the contact with some of the quiet before and after it, and its noise; no history
 /// where nothing tells the noise.
 void prepare_history(MeasuredImpact& shot, Observations& seen) {
@@ -57,9 +72,11 @@ void prepare_history(MeasuredImpact& shot, Observations& seen) {
   shot.trace = {};
   const SampleRange window = window_of(record.force);
   if (shot.noise.deviation > 0.0) {
+    shot.noise.deviation = with_rounding(shot, record.force, shot.noise.deviation, seen);
     seen.noise_from = "stated by the data set";
   } else if (window.first >= fewest_quiet) {
-    shot.noise.deviation = scatter(record.force, window.first);
+    shot.noise.deviation =
+        with_rounding(shot, record.force, scatter(record.force, window.first), seen);
     seen.noise_from = "scatter of the force before contact";
   }
   if (!(shot.noise.deviation > 0.0)) return;
@@ -152,9 +169,13 @@ void add_shot(const Dataset& dataset, const MeasuredImpact& measured, std::size_
 Observations observe(const std::vector<Dataset>& datasets) {
   Observations seen;
   double gain_squared = 0.0;
+  int number = 0;  // of all shots, used or not: a number means the same whatever is left out
   for (const Dataset& dataset : datasets) {
     const std::size_t ball = ball_of(dataset, seen);
-    for (const MeasuredImpact& shot : dataset.shots) add_shot(dataset, shot, ball, seen);
+    for (MeasuredImpact shot : dataset.shots) {
+      shot.number = ++number;
+      add_shot(dataset, shot, ball, seen);
+    }
     const auto& gain = dataset.instrument.force_gain_uncertainty;
     const bool has_force = std::any_of(dataset.shots.begin(), dataset.shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });

@@ -13,6 +13,7 @@ namespace rebound {
 /// tenth of its length at either end and as much of the quiet around it, since
 /// its start is an unknown and its noise may be measured on what lies before.
 /// Noise of a force sample: as stated, or else the scatter before contact.
+/// Rounding to the steps of a recorder is added to it, with a warning (quantisation.hpp).
 /// Histories of more than about 600 samples a contact are averaged in blocks,
 /// their noise with them. Beside a history only the restitution is kept as a
 /// scalar: the other scalars repeat what the history says. Two data sets whose
