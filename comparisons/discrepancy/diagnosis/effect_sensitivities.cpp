@@ -16,21 +16,35 @@ constexpr double size_step = 0.05;       // of the prior scale
 constexpr double invisible = 1e-3;       // |d| per prior scale: a thousandth of σ in all the data
 constexpr double fully_absorbed = 1e-6;  // share of |∂r/∂s|² left over: the fit's own unknown
 
-/// On the default of a further parameter: where effects are looked at.
-const std::vector<double> parameter_factors{0.1, 0.3, 1.0, 3.0, 10.0};
+/// The numbers of one parameter that are tried; empty: it stays as it is.
+std::vector<double> tried_values(const EffectParameterCard& parameter, const Observations& seen) {
+  std::vector<double> values;
+  if (parameter.kind == ParameterKind::shot) {
+    for (const MeasuredImpact& shot : seen.shots)
+      if (shot.number > 0) values.push_back(shot.number);
+    return values;
+  }
+  if (!parameter.fitted) return values;
+  if (!parameter.tried.empty()) return parameter.tried;
+  if (parameter.kind == ParameterKind::linear) return {parameter.default_value};
+  for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0})
+    values.push_back(std::clamp(factor * parameter.default_value, parameter.range.lowest,
+                                parameter.range.highest));
+  return values;
+}
 
-/// `effect` with every combination of these factors on its fitted parameters.
+/// `effect` with every combination of what is tried of its parameters.
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
-                                          const std::vector<double>& factors) {
+                                          const Observations& seen) {
   std::vector<EffectChoice> all{effect};
   for (const auto& parameter : card.parameters) {
-    if (!parameter.fitted) continue;
+    const std::vector<double> values = tried_values(parameter, seen);
+    if (values.empty()) continue;
     std::vector<EffectChoice> next;
     for (const EffectChoice& one : all)
-      for (const double factor : factors) {
+      for (const double value : values) {
         next.push_back(one);
-        next.back().parameters[parameter.name] = std::clamp(
-            factor * parameter.default_value, parameter.range.lowest, parameter.range.highest);
+        next.back().parameters[parameter.name] = value;
       }
     all = std::move(next);
   }
@@ -38,31 +52,37 @@ std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectCh
 }
 
 /// Where derivatives are taken: a step from null.
-std::vector<EffectChoice> small_effects(const EffectCard& card) {
-  EffectChoice small{.name = card.name, .size = 0.0, .parameters = {}};
-  if (card.is_switch || !std::isfinite(card.null)) {
-    small.size = card.is_switch ? 1.0 : card.prior_scale;
-  } else {
+std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen) {
+  std::vector<double> sizes = card.tried;
+  if (sizes.empty() && (card.is_switch || !std::isfinite(card.null))) {
+    sizes = {card.is_switch ? 1.0 : card.prior_scale};
+  } else if (sizes.empty()) {
     const double step = size_step * card.prior_scale;
-    small.size = card.null + step <= card.range.highest ? card.null + step : card.null - step;
+    sizes = {card.null + step <= card.range.highest ? card.null + step : card.null - step};
   }
-  return over_parameters(card, small, parameter_factors);
+  std::vector<EffectChoice> all;
+  for (const double size : sizes)
+    for (auto& choice : over_parameters(card, {card.name, size, {}}, seen)) all.push_back(choice);
+  return all;
 }
 
 /// Where searches may start.
-std::vector<EffectChoice> finite_effects(const EffectCard& card) {
+std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen) {
   std::vector<EffectChoice> all;
   const auto add = [&](double size) {
     if (size < card.range.lowest || size > card.range.highest) return;
-    const EffectChoice one{.name = card.name, .size = size, .parameters = {}};
-    for (auto& choice : over_parameters(card, one, parameter_factors)) all.push_back(choice);
+    for (auto& choice : over_parameters(card, {card.name, size, {}}, seen)) all.push_back(choice);
   };
   if (card.is_switch) {
     add(1.0);
     return all;
   }
+  for (const double size : card.tried) add(size);
+  if (!card.tried.empty()) return all;
   const double null = std::isfinite(card.null) ? card.null : 0.0;
-  for (double factor = 0.1; factor < 8.0; factor *= 1.5) {
+  // A fine grid of the parameters needs no fine one of the size beside it.
+  const bool many = over_parameters(card, {card.name, card.prior_scale, {}}, seen).size() > 10;
+  for (double factor = 0.1; factor < 8.0; factor *= many ? 4.0 : 1.5) {
     add(null + factor * card.prior_scale);
     add(null - factor * card.prior_scale);
   }
@@ -81,13 +101,12 @@ void keep_best(std::vector<EffectScore>& scores, const EffectScore& score) {
 
 /// Residuals of the fitted model with one more effect, nothing refitted; empty
 /// where the effect has no form for this model, or the impact no answer.
-std::optional<Eigen::VectorXd> residuals_with(const Observations& seen, const HypothesisFit& fit,
-                                              const EffectChoice& added) {
+std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const EffectChoice& added) {
   Hypothesis with = fit.hypothesis;
   with.effects = fit.effects;
   with.effects.push_back(added);
   try {
-    const JointModel model(seen, with);
+    const JointModel model(*fit.model, fit.values, with);
     // Unknowns of the added effect stand as given, all others as fitted.
     const std::vector<double> residuals = model.residuals(values_from(fit, model));
     return Eigen::Map<const Eigen::VectorXd>(residuals.data(),
@@ -112,24 +131,23 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   }
   for (const std::string& name : effects_) {
     const EffectCard& card = find_effect(name).card;
-    for (const EffectChoice& small : small_effects(card)) add_sensitivity(card, small);
+    for (const EffectChoice& small : small_effects(card, seen_)) add_sensitivity(card, small);
   }
 }
 
 std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectCard& card) const {
-  return over_parameters(card, {.name = card.name, .size = card.null, .parameters = {}},
-                         parameter_factors);
+  return over_parameters(card, {.name = card.name, .size = card.null, .parameters = {}}, seen_);
 }
 
 std::optional<double> EffectSensitivities::rise(const EffectChoice& effect) const {
-  const auto moved = residuals_with(seen_, fit_, effect);
+  const auto moved = residuals_with(fit_, effect);
   if (!moved) return std::nullopt;
   const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
   return project(*moved).squaredNorm() - project(r).squaredNorm();
 }
 
 void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectChoice& small) {
-  const auto moved = residuals_with(seen_, fit_, small);
+  const auto moved = residuals_with(fit_, small);
   if (!moved) return;
   const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
   const double reach = std::isfinite(card.null) ? small.size - card.null : small.size;
@@ -143,8 +161,8 @@ void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectCh
 
 void EffectSensitivities::look_for_starts() {
   for (const std::string& name : effects_)
-    for (const EffectChoice& finite : finite_effects(find_effect(name).card))
-      if (const auto moved = residuals_with(seen_, fit_, finite))
+    for (const EffectChoice& finite : finite_effects(find_effect(name).card, seen_))
+      if (const auto moved = residuals_with(fit_, finite))
         probes_.push_back({.effect = finite, .chi_square = project(*moved).squaredNorm()});
   std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
     return a.chi_square < b.chi_square;

@@ -18,6 +18,10 @@ constexpr LumpedControls impact_controls{.relative_tolerance = 1e-8, .samples = 
 constexpr std::size_t most_kept = 256;  // impacts a shot
 constexpr double first_rise = 0.05;     // of the peak: finds the start of contact
 
+bool acts_on_report_only(const std::string& effect) {
+  return find_effect(effect).card.kind == EffectKind::measurement;
+}
+
 /// Instant at which a force first rises above a share of its peak.
 double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
   const double level = first_rise * *std::max_element(force.begin(), force.end());
@@ -29,6 +33,24 @@ double rise_time(const std::vector<double>& time, const std::vector<double>& for
 }  // namespace
 
 JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis)
+    : JointModel(seen, hypothesis, {}) {
+  estimate_starts();
+}
+
+JointModel::JointModel(const JointModel& fitted, const std::vector<double>& values,
+                       const Hypothesis& hypothesis)
+    : JointModel(fitted.seen_, hypothesis, {}) {
+  for (const auto& [shot, place] : starts_)
+    unknowns_[place].start = values[fitted.starts_.at(shot)];
+  if (!acts_on_report_only(hypothesis.effects.back().name)) return;
+  for (std::size_t i = 0; i < impacts_.size(); ++i) {
+    fitted.impact(values, i);
+    const auto key = fitted.impact_key(values, i);
+    impacts_[i].emplace(key, fitted.impacts_[i].at(key));
+  }
+}
+
+JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted)
     : seen_(seen),
       hypothesis_(hypothesis),
       law_(hypothesis.believed, seen.balls, unknowns_),
@@ -43,7 +65,6 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis)
   }
   nuisances_.add_stated(seen, unknowns_);
   add_shots();
-  estimate_starts();
 }
 
 void JointModel::add_shots() {
@@ -91,6 +112,8 @@ std::vector<double> JointModel::start() const {
 
 MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
   MeasurementChain chain;
+  chain.shot = seen_.shots[shot].number;
+  chain.bandwidth = seen_.shots[shot].force_bandwidth.value_or(chain.bandwidth);
   chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
   apply_effects(effects_at(values), chain);
   nuisances_.apply(values, shot, chain);
@@ -119,18 +142,27 @@ LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::siz
 }
 
 const LumpedResult& JointModel::impact(const std::vector<double>& values, std::size_t shot) const {
+  std::vector<double> key = impact_key(values, shot);
+  auto& kept = impacts_[shot];
+  if (const auto found = kept.find(key); found != kept.end()) return *found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  auto result = std::make_shared<const LumpedResult>(simulate_fast(problem_at(values, shot)));
+  return *kept.emplace(std::move(key), std::move(result)).first->second;
+}
+
+std::vector<double> JointModel::impact_key(const std::vector<double>& values,
+                                           std::size_t shot) const {
   // The impact itself does not depend on gain, baseline or the clock.
   std::vector<double> key;
   for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
     key.push_back(values[factor]);
   for (std::size_t k = 0; k < effects_.count(); ++k)
-    for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
-  for (const NuisancePlace& place : nuisances_.places(shot))
-    if (place.kind->moves != Direction::Of::nothing) key.push_back(values[place.unknown]);
-  auto& kept = impacts_[shot];
-  if (const auto found = kept.find(key); found != kept.end()) return found->second;
-  if (kept.size() >= most_kept) kept.clear();
-  return kept.emplace(std::move(key), simulate_fast(problem_at(values, shot))).first->second;
+    if (!acts_on_report_only(hypothesis_.effects[k].name))
+      for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+  const MeasurementChain chain = chain_at(values, shot);
+  key.push_back(chain.mass_error);
+  key.push_back(chain.speed_error);
+  return key;
 }
 
 double JointModel::first_touch(const std::vector<double>& values, std::size_t shot) const {

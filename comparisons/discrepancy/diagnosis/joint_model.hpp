@@ -49,6 +49,11 @@ struct DataRow {
 class JointModel {
  public:
   JointModel(const Observations& seen, const Hypothesis& hypothesis);
+  /// A fitted model with one effect more, the last of `hypothesis`: records start where they
+  /// were fitted. A fault of the measurement leaves the impacts as they were, so that they are
+  /// not run again.
+  JointModel(const JointModel& fitted, const std::vector<double>& values,
+             const Hypothesis& hypothesis);
 
   const std::vector<CalibrationParameter>& unknowns() const { return unknowns_; }
   std::vector<double> start() const;
@@ -86,6 +91,9 @@ class JointModel {
   const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
 
  private:
+  struct Unstarted {};  ///< starts of records are not known yet
+  JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted);
+  std::vector<double> impact_key(const std::vector<double>& values, std::size_t shot) const;
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();
@@ -102,7 +110,7 @@ class JointModel {
   std::vector<DataRow> rows_;
   std::map<std::size_t, std::size_t> starts_;  ///< unknown of each shot with a history
   std::vector<std::size_t> shot_nuisances_;
-  mutable std::vector<std::map<std::vector<double>, LumpedResult>> impacts_;
+  mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const LumpedResult>>> impacts_;
 };
 
 }  // namespace rebound

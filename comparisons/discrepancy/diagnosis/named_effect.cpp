@@ -40,7 +40,12 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
   std::size_t next = 1;
   for (const auto& parameter : effect.card.parameters)
     if (parameter.fitted)
-      result.parameters.push_back(with_interval(fit, unknowns[next++], parameter.name, true));
+      result.parameters.push_back(with_interval(fit, unknowns[next++], parameter.name,
+                                                parameter.kind == ParameterKind::logarithmic));
+    else if (parameter.kind == ParameterKind::shot) {
+      const double shot = choice.parameters.at(parameter.name);
+      result.parameters.push_back({parameter.name, shot, shot, shot});
+    }
   return result;
 }
 

@@ -14,7 +14,8 @@ namespace rebound {
 /// its start is an unknown and its noise may be measured on what lies before.
 /// Noise of a force sample: as stated, or else the scatter before contact. Its colour is that of
 /// all samples before contact of a data set together. Where that scatter contradicts what is
-/// stated, from either side, the scatter is taken, with a warning.
+/// stated, from either side, the scatter is taken, with a warning. Rounding to the steps of a
+/// recorder is added, with a warning (quantisation.hpp).
 /// Histories of more than about 600 samples a contact are averaged in blocks,
 /// their noise with them. Beside a history only the restitution is kept as a
 /// scalar: the other scalars repeat what the history says. Two data sets whose

@@ -30,9 +30,18 @@ class Normal {
 
 struct Recording {
   const SynthesisFile& file;
-  MeasurementChain chain;
+  MeasurementChain chain;  ///< of the shot at hand
   Sphere true_sphere;
 };
+
+/// The chain of one shot; faults of other shots are not in it.
+MeasurementChain chain_of(const SynthesisFile& file, std::size_t shot) {
+  MeasurementChain chain;
+  chain.shot = static_cast<int>(shot);
+  chain.bandwidth = file.instrument.force_bandwidth.value_or(chain.bandwidth);
+  apply_effects(file.effects, chain);
+  return chain;
+}
 
 Trace record(const Recording& recording, const SimulatedImpact& impact, Normal& normal) {
   const SynthesisSampling& sampling = recording.file.sampling;
@@ -112,11 +121,9 @@ Synthesis synthesize(const SynthesisFile& file, const ImpactSimulator& simulate,
   if (file.mass_uncertainty > 0.0) dataset.mass_uncertainty = file.mass_uncertainty;
   dataset.instrument = file.instrument;
 
-  Recording recording{.file = file, .chain = {}, .true_sphere = file.sphere};
-  apply_effects(file.effects, recording.chain);
+  Recording recording{.file = file, .chain = chain_of(file, 0), .true_sphere = file.sphere};
   Normal common(file.seed, 0);
   result.true_force_gain = file.instrument.force_gain_uncertainty.value_or(0.0) * common();
-  recording.chain.force_gain += result.true_force_gain;
   const double mass_error = file.mass_uncertainty / file.sphere.mass * common();
   recording.true_sphere.mass /= 1.0 + recording.chain.mass_error + mass_error;
   result.true_mass = recording.true_sphere.mass;
@@ -129,6 +136,8 @@ Synthesis synthesize(const SynthesisFile& file, const ImpactSimulator& simulate,
       if (control.interrupted && control.interrupted())
         throw Error(ExitCode::interrupted, "interrupted: no data set was written");
       Normal normal(file.seed, ++stream);
+      recording.chain = chain_of(file, dataset.shots.size() + 1);
+      recording.chain.force_gain += result.true_force_gain;
       const double reported = wanted.speed + wanted.speed_uncertainty.value_or(0.0) * normal();
       const double speed = reported / (1.0 + recording.chain.speed_error);
       const SimulatedImpact impact = simulate(recording.true_sphere, {.speed = speed});

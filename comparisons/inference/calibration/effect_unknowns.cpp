@@ -22,10 +22,27 @@ CalibrationParameter size_of(const EffectCard& card, double start) {
           .scale = card.prior_scale};
 }
 
+double start_of(const EffectParameterCard& parameter, const EffectChoice& choice) {
+  const auto given = choice.parameters.find(parameter.name);
+  return given != choice.parameters.end() ? given->second : parameter.default_value;
+}
+
+CalibrationParameter linear_of(const EffectCard& card, const EffectParameterCard& parameter,
+                               const EffectChoice& choice) {
+  return {.name = card.name + " " + parameter.name,
+          .unit = "SI",
+          .start = start_of(parameter, choice),
+          .lowest = parameter.range.lowest,
+          .highest = parameter.range.highest,
+          .scale = parameter.scale,
+          .prior = parameter.prior_deviation > 0.0
+                       ? std::optional(Prior{parameter.default_value, parameter.prior_deviation})
+                       : std::nullopt};
+}
+
 CalibrationParameter logarithm_of(const EffectCard& card, const EffectParameterCard& parameter,
                                   const EffectChoice& choice) {
-  const auto given = choice.parameters.find(parameter.name);
-  const double start = given != choice.parameters.end() ? given->second : parameter.default_value;
+  const double start = start_of(parameter, choice);
   const double lowest = std::max(parameter.range.lowest, parameter.default_value / parameter_reach);
   const double highest =
       std::min(parameter.range.highest, parameter.default_value * parameter_reach);
@@ -52,7 +69,9 @@ EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects,
     if (card.is_switch) continue;
     add(size_of(card, choice.size));
     for (const EffectParameterCard& parameter : card.parameters)
-      if (parameter.fitted) add(logarithm_of(card, parameter, choice));
+      if (parameter.fitted)
+        add(parameter.kind == ParameterKind::linear ? linear_of(card, parameter, choice)
+                                                    : logarithm_of(card, parameter, choice));
   }
 }
 
@@ -64,9 +83,12 @@ std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) 
     effects[k].size = values[own[0]];
     std::size_t next = 1;
     for (const auto& parameter : find_effect(effects[k].name).card.parameters)
-      if (parameter.fitted)
-        effects[k].parameters[parameter.name] = std::clamp(
-            std::exp(values[own[next++]]), parameter.range.lowest, parameter.range.highest);
+      if (parameter.fitted) {
+        const double value = values[own[next++]];
+        effects[k].parameters[parameter.name] =
+            std::clamp(parameter.kind == ParameterKind::linear ? value : std::exp(value),
+                       parameter.range.lowest, parameter.range.highest);
+      }
   }
   return effects;
 }

@@ -7,8 +7,9 @@
 
 namespace rebound {
 
-/// Effects as unknowns: the size of each and ln of its further fitted parameters, one value for
-/// all balls. A switch has none.
+/// Effects as unknowns: the size of each and its further fitted parameters, one value for all
+/// balls: those of any sign as they are, all others by their logarithm. A switch has none; the
+/// shot that a fault acts on is none.
 class EffectUnknowns {
  public:
   /// Appends its unknowns; searches start from the numbers of `effects`.

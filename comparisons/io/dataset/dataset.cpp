@@ -5,6 +5,7 @@ namespace rebound {
 MeasuredImpact completed(const Dataset& dataset, MeasuredImpact shot) {
   shot.sphere = dataset.sphere;
   shot.contact_threshold = dataset.instrument.contact_threshold;
+  shot.force_bandwidth = dataset.instrument.force_bandwidth;
   shot.noise.deviation = dataset.instrument.force_noise.value_or(0.0);
   shot.deflection = dataset.instrument.deflection;
   return shot;

@@ -62,8 +62,8 @@ struct Dataset {
   std::vector<std::string> notes;
 };
 
-/// A shot with what its data set says of every shot: ball, threshold, noise, where deflections
-/// are from.
+/// A shot with what its data set says of every shot: ball, threshold, bandwidth, noise, where
+/// deflections are from.
 MeasuredImpact completed(const Dataset& dataset, MeasuredImpact shot);
 
 }  // namespace rebound

@@ -54,11 +54,13 @@ struct ForceNoise {
 /// under the shared definitions: cut to the contact, time from zero, deflection, scalars.
 struct MeasuredImpact {
   std::string label{};   ///< as reports name it
+  int number = 0;        ///< among all shots of the data, from 1; 0: of no collection
   Sphere sphere{};       ///< the ball that was hit
   std::size_t ball = 0;  ///< index among the balls of a collection; impacts of one ball share it
   Impact impact{};       ///< speed as stated, the rule by which contact ends
   std::optional<double> speed_uncertainty{};  ///< one standard deviation [m/s]
   std::optional<double> contact_threshold{};  ///< force that starts and ends contact [N]
+  std::optional<double> force_bandwidth{};    ///< of the force channel, -3 dB [Hz]
 
   std::string trace_file{};  ///< as written; empty: none
   /// Force over time; deflection where there is one; empty: no history.

@@ -41,6 +41,15 @@ constexpr auto names_of(EffectFamily) {
                                    {"measurement", EffectFamily::measurement}});
 }
 
+/// How a further number of an effect is looked for.
+enum class ParameterKind {
+  logarithmic,  ///< positive; the unknown of a fit is its logarithm
+  linear,       ///< of any sign; the unknown is the number itself
+  shot,         ///< one of the shots, from 1; no unknown of a fit: a diagnosis tries every shot
+  largest_deflection,  ///< over the radius, of all shots; set by a diagnosis
+  largest_rate         ///< of all shots; set by a diagnosis
+};
+
 /// A further number of an effect, beside its size.
 struct EffectParameterCard {
   std::string name;  ///< TOML key, e.g. "relaxation_time"
@@ -49,6 +58,11 @@ struct EffectParameterCard {
   Range range;  ///< SI
   double default_value = 0.0;
   bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
+  ParameterKind kind = ParameterKind::logarithmic;
+  double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
+  std::vector<double> tried{};  ///< where a diagnosis looks, SI; empty: decades about the default
+  /// Of a normal prior about the default, for a linear one; 0: none.
+  double prior_deviation = 0.0;
 };
 
 /// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,
@@ -75,9 +89,14 @@ struct EffectCard {
   /// not); sizes between interpolate, for derivatives.
   bool is_switch = false;
   std::vector<EffectParameterCard> parameters;
+  /// Sizes from which a diagnosis looks, SI; empty: multiples of the prior scale. For effects
+  /// that start all at once, so that derivatives at the null say nothing.
+  std::vector<double> tried{};
   std::string signature;   ///< where it shows
   std::string experiment;  ///< what would tell it from its rivals
   std::string source;
+  /// Stands for its family where no formula of the list does: never a candidate by its name.
+  bool is_free_form = false;
   std::optional<ImpactChange>
       moves;  ///< what it moves in FE; must be said where it has a form there
 };

@@ -2,12 +2,38 @@
 
 #include <limits>
 
+#include "lumped/problem/validity.hpp"
+
 namespace rebound {
+
+/// A sinusoid in the force channel.
+///
+///   A sin(2π f u + φ),   u time since first touch [s]
+struct Hum {
+  double amplitude = 0.0;  ///< A [N]
+  double frequency = 1e3;  ///< f [Hz]; of no account without an amplitude
+  double phase = 0.0;      ///< φ at first touch [rad]
+
+  friend bool operator==(const Hum&, const Hum&) = default;
+};
+
+/// An oscillation that starts at an instant and dies away.
+///
+///   A e^(−(u − t₀)/τ) sin(2π f (u − t₀)),   u ≥ t₀,   u time since first touch [s]
+struct Burst {
+  double amplitude = 0.0;      ///< A [N]
+  double frequency = 3e3;      ///< f [Hz]; of no account without an amplitude
+  double decay_time = 0.5e-3;  ///< τ [s]
+  double instant = 0.0;        ///< t₀ [s]
+
+  friend bool operator==(const Burst&, const Burst&) = default;
+};
 
 /// How what happened differs from what is reported. At the defaults, not at all.
 ///
-///   force       (1 + g) F filtered + b,     g gain error, b baseline
-///   time        t + trigger shift
+///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered and drooping,
+///               g gain error, b baseline, d drift, u time since first touch, L clipping level
+///   time        (1 + s) u + trigger shift,                  s error of the time base
 ///   deflection  x + ½ a t², where it is a double integral, a integration drift
 ///   mass, speed reported = (1 + error) true
 struct MeasurementChain {
@@ -21,7 +47,25 @@ struct MeasurementChain {
   double integration_drift = 0.0;  ///< a [m/s²]
   double contact_threshold = 0.0;  ///< of reported contact times [N]
   int platens = 0;                 ///< as believed in slow compressions: 1 or 2; 0: as it was
+  double force_drift = 0.0;        ///< d [N/s]
+  double droop = 0.0;              ///< 1/τ of a first-order high-pass [1/s]
+  Hum hum;
+  Burst burst;
+  double time_base = 0.0;                                           ///< s [-]
+  double clipping_level = std::numeric_limits<double>::infinity();  ///< L [N]
+  /// Which shot of the data it serves, from 1; 0: none. Faults of one shot act where it is theirs.
+  int shot = 0;
 
+  /// Of the numbers by which a record may be distorted; the others are free.
+  static constexpr auto limits() {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    return std::tuple{
+        Limit{&MeasurementChain::bandwidth, "bandwidth", "Hz", above(0.0), none},
+        Limit{&MeasurementChain::force_drift, "force_drift", "N/s", any_number()},
+        Limit{&MeasurementChain::droop, "droop", "1/s", at_least(0.0)},
+        Limit{&MeasurementChain::time_base, "time_base", "", above(-1.0)},
+        Limit{&MeasurementChain::clipping_level, "clipping_level", "N", above(0.0), none}};
+  }
   friend bool operator==(const MeasurementChain&, const MeasurementChain&) = default;
 };
 

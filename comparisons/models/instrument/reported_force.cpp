@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "comparisons/models/instrument/butterworth.hpp"
+#include "comparisons/models/instrument/disturbance.hpp"
+#include "comparisons/models/instrument/droop.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -33,23 +35,42 @@ Trace filtered(const Trace& contact, double bandwidth, double last) {
   return even;
 }
 
+/// What the filters of the chain make of the contact; `last` by the contact's own clock.
+Trace passed_by_filters(const Trace& contact, const MeasurementChain& chain, double last) {
+  const double step =
+      (contact.time.back() - contact.time.front()) / static_cast<double>(contact.time.size() - 1);
+  // A cut-off above the samples' own rate changes nothing that they could show.
+  constexpr double highest_share = 0.45;
+  Trace passed = contact;
+  if (chain.bandwidth < highest_share / step) passed = filtered(passed, chain.bandwidth, last);
+  if (chain.droop != 0.0) passed = with_droop(passed, chain.droop, last);
+  return passed;
+}
+
 }  // namespace
 
 std::vector<double> reported_force(const Trace& contact, const MeasurementChain& chain,
                                    std::span<const double> time) {
   if (contact.time.size() < 2)
     throw Error(ExitCode::bad_input, "a contact needs at least two samples");
+  require_limits(chain, {.name = "measurement"});
   if (time.empty()) return {};
-  const bool ideal = std::isinf(chain.bandwidth);
+  const auto since_touch = [&](double t) {
+    return (t - chain.trigger_shift) / (1.0 + chain.time_base);
+  };
+  const bool ideal = std::isinf(chain.bandwidth) && chain.droop == 0.0;
   const Trace passed =
-      ideal ? Trace{} : filtered(contact, chain.bandwidth, time.back() - chain.trigger_shift);
+      ideal ? Trace{} : passed_by_filters(contact, chain, since_touch(time.back()));
   const Trace& source = ideal ? contact : passed;
   std::vector<double> force;
   force.reserve(time.size());
   std::size_t from = 0;
-  for (const double t : time)
-    force.push_back((1.0 + chain.force_gain) * force_at(source, t - chain.trigger_shift, from) +
-                    chain.force_baseline);
+  for (const double t : time) {
+    const double since = since_touch(t);
+    const double reading =
+        (1.0 + chain.force_gain) * force_at(source, since, from) + added_force(chain, since);
+    force.push_back(std::min(reading, chain.clipping_level));
+  }
   return force;
 }
 

@@ -10,8 +10,13 @@ namespace rebound {
 
 /// The force of a contact as the chain reports it, without noise.
 ///
-///   F_reported(t) = (1 + g) F(t − t_s) + b,   F filtered where the bandwidth is finite
+///   F_reported(t) = min[(1 + g) F(u) + added(u), L],   u = (t − t_s)/(1 + s)
 ///
+///   F      behind the filters of the chain: low-pass (butterworth.hpp), droop (droop.hpp)
+///   added  baseline, drift, hum and burst (disturbance.hpp) [N]
+///   t_s    trigger shift: first touch by the recorder's clock [s]
+///   s      by which the recorder's clock runs fast, counted from first touch [-]
+///   L      level at which the amplifier saturates [N]
 ///   time   instants, increasing; before first touch and after separation the
 ///          contact force is zero [s]
 ///
@@ -19,8 +24,9 @@ namespace rebound {
 ///        peak at 400 samples; a force that jumps at first touch keeps its jump.
 /// Limit: an ideal chain returns the trace at its own instants
 ///        -> test ReportedForceTest.IdealChainChangesNothing.
-/// Errors: Error(bad_input) for a trace of fewer than two samples, or a
-///         bandwidth above half the trace's own sampling rate.
+/// Caution: a cut-off above 0.45 of the trace's own sampling rate passes all: what it would
+///        change, a delay of less than the sample spacing, lies between the samples.
+/// Errors: Error(bad_input) for a trace of fewer than two samples, or a chain out of its limits.
 std::vector<double> reported_force(const Trace& contact, const MeasurementChain& chain,
                                    std::span<const double> time);
 

@@ -40,7 +40,9 @@ Effect plate_compliance_effect() {
                                .sentence = "Damping ratio of plate and load cell.",
                                .dimension = dimension::none,
                                .range = limit_of<&Plate::damping_ratio>.range,
-                               .default_value = 0.02}},
+                               .default_value = 0.02,
+                               .fitted = true,
+                               .tried = {0.02}}},
                .signature = "Ringing after contact at a frequency that neither ball nor speed "
                             "changes; impulse of the cell and rebound speed disagree.",
                .experiment = "Strike the bare plate with a hammer; put another mass on it; rebound "

@@ -23,7 +23,9 @@ Effect internal_mode_effect() {
                                .sentence = "Damping ratio of the mode.",
                                .dimension = dimension::none,
                                .range = limit_of<&InternalMode::damping_ratio>.range,
-                               .default_value = 0.02}},
+                               .default_value = 0.02,
+                               .fitted = true,
+                               .tried = {0.02}}},
                .signature = "Ripple of fixed frequency on the force, whatever the speed; energy "
                             "missing from the rebound that is not in the loop.",
                .experiment = "Spectrum of the force against the ball's own modes (tap test); the "

@@ -17,7 +17,7 @@ Effect force_gain_effect() {
                .experiment = "Calibrate the cell with a weight; rebound speed from a camera.",
                .source = "Momentum balance"},
       .to_measurement = [](const EffectChoice& choice,
-                           MeasurementChain& chain) { chain.force_gain = choice.size; },
+                           MeasurementChain& chain) { chain.force_gain += choice.size; },
   };
 }
 

@@ -18,7 +18,7 @@ Effect speed_calibration_effect() {
                              "a known height.",
                .source = "Momentum balance"},
       .to_measurement = [](const EffectChoice& choice,
-                           MeasurementChain& chain) { chain.speed_error = choice.size; },
+                           MeasurementChain& chain) { chain.speed_error += choice.size; },
   };
 }
 

@@ -51,6 +51,15 @@ TEST(ObserveTest, RepeatsHaveNamesOfTheirOwn) {
   EXPECT_EQ(labels.size(), 8u);
 }
 
+TEST(ObserveTest, ShotsAreNumberedOverAllThatTheDataHold) {
+  Dataset dataset = synthetic(testing::experiment_with({}, 3));
+  dataset.shots[1].trace = {};  // nothing is seen of it, and its number stays its own
+  const Observations seen = observe({dataset, dataset});
+  std::vector<int> numbers;
+  for (const MeasuredImpact& shot : seen.shots) numbers.push_back(shot.number);
+  EXPECT_EQ(numbers, (std::vector<int>{1, 3, 4, 6}));
+}
+
 TEST(ObserveTest, OneBallInTwoDataSetsIsOne) {
   const Dataset dataset = synthetic(testing::experiment_with({}, 3));
   Dataset heavier = dataset;

@@ -57,6 +57,31 @@ TEST(SynthesizeTest, ASeedMeansTheSameWhateverTheOtherShots) {
   EXPECT_NE(make(file).dataset.shots[0].trace.force, both.dataset.shots[0].trace.force);
 }
 
+TEST(SynthesizeTest, AFaultOfOneShotLeavesTheOthers) {
+  SynthesisFile file = two_shots();
+  const Synthesis plain = make(file);
+  file.effects = {{"shot-gain", 0.1, {{"shot", 2.0}}}};
+  const Synthesis made = make(file);
+  EXPECT_EQ(made.dataset.shots[0].trace.force, plain.dataset.shots[0].trace.force);
+  const auto& reported = made.dataset.shots[1].trace.force;
+  const auto& true_force = plain.dataset.shots[1].trace.force;
+  for (std::size_t i = 0; i < reported.size(); ++i)
+    EXPECT_NEAR(reported[i], 1.1 * true_force[i], 1e-9 * std::abs(reported[i]));
+}
+
+TEST(SynthesizeTest, AStatedBandwidthIsThatOfTheRecord) {
+  SynthesisFile file = two_shots();
+  const Synthesis plain = make(file);
+  file.instrument.force_bandwidth = 300.0;
+  const std::vector<double> slow = make(file).dataset.shots[1].trace.force;
+  const auto& fast = plain.dataset.shots[1].trace.force;
+  EXPECT_LT(*std::max_element(slow.begin(), slow.end()),
+            0.99 * *std::max_element(fast.begin(), fast.end()));
+  file.instrument.force_bandwidth.reset();
+  file.effects = {{"bandwidth", 300.0, {}}};
+  EXPECT_EQ(make(file).dataset.shots[1].trace.force, slow) << "an effect says the same";
+}
+
 TEST(SynthesizeTest, NoiseHasItsStandardDeviation) {
   SynthesisFile file = two_shots();
   file.instrument.force_noise = 20.0;

@@ -65,6 +65,25 @@ TEST(ApplyEffectsTest, TheMeasurementPassesOverWhatIsPhysical) {
   EXPECT_EQ(physical_effects(effects)[0].name, "permanent-set");
 }
 
+TEST(ApplyEffectsTest, AFaultOfOneShotActsThereAlone) {
+  const std::vector<EffectChoice> effects = {{"shot-gain", 0.1, {{"shot", 2.0}}},
+                                             {"shot-speed", 0.2, {{"shot", 3.0}}}};
+  MeasurementChain none, first{.shot = 1}, second{.shot = 2}, third{.shot = 3};
+  for (MeasurementChain* chain : {&none, &first, &second, &third}) apply_effects(effects, *chain);
+  EXPECT_EQ(none, MeasurementChain{});
+  EXPECT_EQ(first, MeasurementChain{.shot = 1});
+  EXPECT_EQ(second, (MeasurementChain{.force_gain = 0.1, .shot = 2}));
+  EXPECT_EQ(third, (MeasurementChain{.speed_error = 0.2, .shot = 3}));
+}
+
+TEST(ApplyEffectsTest, AFaultOfOneShotAddsToThatOfAll) {
+  MeasurementChain one{.shot = 1}, other{.shot = 1};
+  apply_effects({{"shot-gain", 0.25, {}}, {"force-gain", 0.5, {}}}, one);
+  apply_effects({{"force-gain", 0.5, {}}, {"shot-gain", 0.25, {}}}, other);
+  EXPECT_EQ(one.force_gain, 0.75);
+  EXPECT_EQ(one, other);
+}
+
 TEST(ApplyEffectsTest, CompliancesAreReciprocals) {
   FemProblem problem = test::fem_problem_for_effects();
   apply_effects({{"plate-compliance", 2e-8, {{"mass", 3.0}}}}, problem);

@@ -62,6 +62,7 @@ TEST_P(EffectBattery, CardIsComplete) {
   EXPECT_GE(card.prior_scale, card.range.lowest);
   EXPECT_LE(card.prior_scale, card.range.highest);
   EXPECT_NE(card.prior_scale, card.null);
+  for (const double tried : card.tried) EXPECT_TRUE(card.range.contains(tried));
   EXPECT_EQ(find_effect(card.name).card.name, card.name);
   EXPECT_EQ(effect_.to_measurement != nullptr, card.kind == EffectKind::measurement);
   EXPECT_NE(card.family, EffectFamily::none) << "what the missing force depends on";
@@ -72,6 +73,12 @@ TEST_P(EffectBattery, CardIsComplete) {
   for (const EffectParameterCard& parameter : card.parameters) {
     EXPECT_LE(parameter.range.lowest, parameter.default_value);
     EXPECT_LE(parameter.default_value, parameter.range.highest);
+    EXPECT_GT(parameter.scale, 0.0);
+    for (const double tried : parameter.tried) EXPECT_TRUE(parameter.range.contains(tried));
+    EXPECT_FALSE(parameter.kind == ParameterKind::shot && parameter.fitted);
+    // The unknown of a fit is the logarithm.
+    const bool logarithm = parameter.fitted && parameter.kind == ParameterKind::logarithmic;
+    EXPECT_TRUE(!logarithm || parameter.default_value > 0.0);
   }
 }
 
@@ -107,9 +114,10 @@ TEST_P(EffectBattery, ASmallSizeShows) {
     EXPECT_NE(problem, test::fem_problem_for_effects());
   }
   if (effect_.to_measurement) {
-    MeasurementChain chain;
+    const MeasurementChain of_first_shot{.shot = 1};
+    MeasurementChain chain = of_first_shot;
     apply_effects({test::at_prior_scale(effect_)}, chain);
-    EXPECT_NE(chain, MeasurementChain{});
+    EXPECT_NE(chain, of_first_shot);
   }
 }
 

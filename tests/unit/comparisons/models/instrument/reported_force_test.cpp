@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,6 +54,49 @@ TEST(ReportedForceTest, ABandwidthLowersAndDelaysThePeakAndKeepsTheImpulse) {
     sent += ideal[i];
   }
   EXPECT_NEAR(kept / sent, 1.0, 1e-3);
+}
+
+TEST(ReportedForceTest, AFastClockStretchesARamp) {
+  const Trace ramp{.time = {0.0, 1e-3}, .force = {0.0, 100.0}};
+  const MeasurementChain chain{.trigger_shift = 2e-3, .time_base = 0.25};
+  const auto force = reported_force(ramp, chain, std::vector<double>{2.5e-3, 3.125e-3, 3.25e-3});
+  EXPECT_NEAR(force[0], 40.0, 1e-9);  // 0.5 ms as read is 0.4 ms
+  EXPECT_NEAR(force[1], 90.0, 1e-9);
+  EXPECT_NEAR(force[2], 100.0, 1e-6);
+}
+
+TEST(ReportedForceTest, ClippingNeverExceedsItsLevelAndLeavesWhatIsBelow) {
+  const Trace contact = half_sine();
+  const auto whole = reported_force(contact, {.force_baseline = 5.0}, contact.time);
+  const auto clipped =
+      reported_force(contact, {.force_baseline = 5.0, .clipping_level = 700.0}, contact.time);
+  EXPECT_EQ(*std::max_element(clipped.begin(), clipped.end()), 700.0);
+  for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(clipped[i], std::min(whole[i], 700.0));
+}
+
+TEST(ReportedForceTest, DroopTakesTheImpulseBackInTheEnd) {
+  const Trace contact = half_sine();
+  std::vector<double> time;
+  for (int i = 0; i < 20000; ++i) time.push_back(i * 5e-6);
+  double sum = 0.0, largest = 0.0;
+  for (const double force : reported_force(contact, {.droop = 300.0}, time)) {
+    sum += force;
+    largest = std::max(largest, std::abs(sum));
+  }
+  EXPECT_LT(std::abs(sum), 1e-4 * largest);
+}
+
+TEST(ReportedForceTest, ABandwidthThatTheSamplesCannotShowPassesAll) {
+  const Trace contact = half_sine();
+  EXPECT_EQ(reported_force(contact, {.bandwidth = 1e6}, contact.time), contact.force);
+}
+
+TEST(ReportedForceTest, AChainOutOfItsLimitsIsRefused) {
+  const Trace contact = half_sine();
+  for (const MeasurementChain& chain :
+       {MeasurementChain{.droop = -1.0}, MeasurementChain{.time_base = -1.0},
+        MeasurementChain{.clipping_level = 0.0}, MeasurementChain{.bandwidth = -1.0}})
+    EXPECT_THROW(reported_force(contact, chain, contact.time), Error);
 }
 
 TEST(ReportedForceTest, ATraceOfOneSampleIsRefused) {

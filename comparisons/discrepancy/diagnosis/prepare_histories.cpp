@@ -1,0 +1,159 @@
+#include "comparisons/discrepancy/diagnosis/prepare_histories.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+#include "comparisons/inference/calibration/autocorrelation.hpp"
+#include "comparisons/io/dataset/contact_window.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double clearly_in_contact = 0.1;  // of the peak: above any noise that allows a diagnosis
+constexpr std::size_t most_samples = 600;   // a contact
+constexpr double worth_a_warning = 0.3;     // rounding over noise: 5 % of its deviation
+constexpr std::size_t fewest_quiet = 20;    // samples before contact that make a scatter
+
+/// From a little before first touch to a little after separation. The threshold is a share of
+/// the peak, not contact_threshold(): the noise is often known only from what lies outside.
+SampleRange window_of(const std::vector<double>& force) {
+  const double level = clearly_in_contact * *std::max_element(force.begin(), force.end());
+  const SampleRange contact = contact_window(force, level);
+  // A pulse takes less than this share of its length from nothing to the level.
+  return widened(contact, (contact.count() - 1) / 10, force.size());
+}
+
+/// Means over blocks of neighbouring samples.
+void average(MeasuredImpact& shot, std::size_t block) {
+  if (block < 2) return;
+  const Trace fine = std::move(shot.trace);
+  shot.trace = {};
+  shot.noise.deviation /= std::sqrt(static_cast<double>(block));
+  for (std::size_t i = 0; i + block <= fine.time.size(); i += block) {
+    double time = 0.0, force = 0.0;
+    for (std::size_t j = i; j < i + block; ++j) {
+      time += fine.time[j];
+      force += fine.force[j];
+    }
+    shot.trace.time.push_back(time / static_cast<double>(block));
+    shot.trace.force.push_back(force / static_cast<double>(block));
+  }
+}
+
+/// A whole record, made coarse enough, and where its contact is.
+struct Record {
+  std::size_t shot = 0;  ///< index among the observations
+  Trace trace;
+  SampleRange contact;
+  double rounding = 0.0;  ///< of one reading [N]
+
+  std::span<const double> quiet() const { return {trace.force.data(), contact.first}; }
+};
+
+/// Adds the noise of rounding, where it is worth a word, to what is stated; one measured on the
+/// quiet holds the rounding by itself.
+void count_rounding(MeasuredImpact& shot, Observations& seen) {
+  const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
+  if (!(rounding > worth_a_warning * shot.noise.deviation)) return;
+  seen.warnings.push_back(
+      fmt::format("{}: the force is recorded in steps of {:.3g} N; {:.3g} N of rounding count as "
+                  "noise",
+                  shot.label, rounding * std::sqrt(12.0), rounding));
+  if (shot.noise.deviation > 0.0) shot.noise.deviation = std::hypot(shot.noise.deviation, rounding);
+}
+
+Record prepare_record(MeasuredImpact& shot, std::size_t index) {
+  const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
+  const std::size_t block = window_of(shot.trace.force).count() / most_samples;
+  average(shot, block);
+  Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .rounding = rounding};
+  shot.trace = {};
+  record.contact = window_of(record.trace.force);
+  return record;
+}
+
+/// Colour of the noise of all records of a data set, and its size where what they scatter by
+/// contradicts what is stated; the scatter of each shot alone where nothing is stated.
+void settle_noise(const std::string& dataset, const std::vector<Record>& records,
+                  Observations& seen) {
+  std::vector<std::span<const double>> stretches;
+  for (const Record& record : records) stretches.push_back(record.quiet());
+  const EstimatedNoise noise = estimate_noise(stretches);
+  constexpr int fewest_for_colour = 40;
+  const bool enough = noise.samples >= fewest_for_colour && noise.deviation > 0.0;
+  if (!enough)
+    seen.warnings.push_back(dataset +
+                            ": too few samples before contact to check the noise; it is taken as "
+                            "white and of the stated size");
+  for (const Record& record : records) {
+    MeasuredImpact& shot = seen.shots[record.shot];
+    const double stated = shot.noise.deviation;
+    if (enough) shot.noise.autocorrelation = noise.autocorrelation;
+    if (stated > 0.0) {
+      seen.noise_from = "stated by the data set";
+      if (!enough) continue;
+      // Three standard errors of the scatter, and no less than a fifth.
+      const double independent =
+          std::max(2.0, noise.samples * effective_share(noise.autocorrelation));
+      const double slack = std::max(0.2, 3.0 / std::sqrt(2.0 * independent));
+      if (std::abs(std::log(noise.deviation / stated)) <= slack) continue;
+      if (&record == &records.front())
+        seen.warnings.push_back(fmt::format(
+            "{}: the force scatters by {:.3g} N before contact, where {:.3g} N are stated; the "
+            "scatter is taken",
+            dataset, noise.deviation, stated));
+      shot.noise.deviation = noise.deviation;
+      seen.noise_from = "scatter of the force before contact, which contradicts what is stated";
+    } else if (record.contact.first >= fewest_quiet) {
+      // Without anything else, a recorder rounds to one level again and again.
+      shot.noise.deviation = std::max(estimate_noise({record.quiet()}).deviation, record.rounding);
+      seen.noise_from = "scatter of the force before contact";
+    }
+  }
+  if (enough && !noise.autocorrelation.empty())
+    seen.noise_from += fmt::format(
+        "; neighbouring samples are alike (correlation {:.2g}), autoregressive of order {}",
+        noise.autocorrelation.front(), noise.autocorrelation.size());
+}
+
+/// Leaves the contact with some of the quiet before and after it; no history where nothing
+/// tells the noise.
+void keep_contact(const Record& record, MeasuredImpact& shot) {
+  if (!(shot.noise.deviation > 0.0)) return;
+  const SampleRange kept =
+      widened(record.contact, record.contact.count() / 10, record.trace.time.size());
+  const auto part = [&](const std::vector<double>& column) {
+    const auto begin = column.begin();
+    return std::vector<double>(begin + static_cast<std::ptrdiff_t>(kept.first),
+                               begin + static_cast<std::ptrdiff_t>(kept.last) + 1);
+  };
+  shot.trace.time = part(record.trace.time);
+  shot.trace.force = part(record.trace.force);
+}
+
+}  // namespace
+
+void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen) {
+  std::vector<Record> records;
+  for (std::size_t i = first; i < seen.shots.size(); ++i)
+    if (seen.shots[i].has_history()) {
+      count_rounding(seen.shots[i], seen);
+      records.push_back(prepare_record(seen.shots[i], i));
+    }
+  if (records.empty()) return;
+  settle_noise(dataset, records, seen);
+  for (const Record& record : records) {
+    MeasuredImpact& shot = seen.shots[record.shot];
+    keep_contact(record, shot);
+    if (!shot.has_history())
+      seen.missing.push_back(shot.label +
+                             ": the noise of the force, stated or as samples before "
+                             "contact");
+  }
+}
+
+}  // namespace rebound

@@ -1,0 +1,64 @@
+#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+Dataset rounded_to(double step, std::int64_t seed) {
+  const SynthesisFile file = testing::experiment_with({}, seed);
+  Dataset dataset = synthesize(file, simulator_of(file, {})).dataset;
+  for (MeasuredImpact& shot : dataset.shots)
+    for (double& force : shot.trace.force) force = step * std::round(force / step);
+  return dataset;
+}
+
+TEST(QuantisationTest, NoiseHasNoStep) {
+  const SynthesisFile file = testing::experiment_with({}, 1);
+  for (const MeasuredImpact& shot : synthesize(file, simulator_of(file, {})).dataset.shots)
+    EXPECT_EQ(quantisation_step(shot.trace.force), 0.0);
+}
+
+TEST(QuantisationTest, FindsTheStepOfARecorder) {
+  for (const MeasuredImpact& shot : rounded_to(100.0, 1).shots)
+    EXPECT_NEAR(quantisation_step(shot.trace.force), 100.0, 1e-6);
+}
+
+TEST(QuantisationTest, RoundingIsNoiseOfItsOwnAndSaid) {
+  const Observations seen = observe({rounded_to(100.0, 1)});
+  EXPECT_NEAR(seen.shots[0].noise.deviation, std::hypot(20.0, 100.0 / std::sqrt(12.0)), 1e-6);
+  ASSERT_FALSE(seen.warnings.empty());
+  EXPECT_NE(seen.warnings[0].find("steps of 100 N"), std::string::npos);
+}
+
+TEST(QuantisationTest, AQuietThatIsRoundedAwayLeavesTheRounding) {
+  Dataset dataset = rounded_to(500.0, 1);
+  dataset.instrument.force_noise.reset();
+  const Observations seen = observe({dataset});
+  ASSERT_TRUE(seen.missing.empty());
+  EXPECT_NEAR(seen.shots[0].noise.deviation, 500.0 / std::sqrt(12.0), 1e-6);
+}
+
+TEST(QuantisationTest, ManyDigitsAreNoStep) {
+  EXPECT_EQ(observe({rounded_to(0.1, 1)}).shots[0].noise.deviation, 20.0);
+}
+
+TEST(QuantisationTest, ARoundedNullAgrees) {
+  int gaps = 0;
+  for (int seed = 1; seed <= 5; ++seed) {
+    DiagnosisRequest request;
+    request.datasets = {rounded_to(100.0, seed)};
+    request.believed = testing::believed_law();
+    request.ask_fem = false;
+    if (diagnose(request).verdict != DiagnosisVerdict::agrees) ++gaps;
+  }
+  EXPECT_LE(gaps, 1);
+}
+
+}  // namespace
+}  // namespace rebound

@@ -1,0 +1,32 @@
+#include "comparisons/inference/calibration/effect_unknowns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+TEST(EffectUnknownsTest, ALinearParameterIsItself) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns hum({{"hum", 30.0, {{"frequency", 700.0}, {"phase", -1.5}}}}, unknowns);
+  ASSERT_EQ(unknowns.size(), 3u);
+  EXPECT_EQ(unknowns[0].start, 30.0);
+  EXPECT_DOUBLE_EQ(unknowns[1].start, std::log(700.0));
+  EXPECT_EQ(unknowns[2].start, -1.5);
+  EXPECT_LT(unknowns[2].lowest, 0.0);
+  const EffectChoice moved = hum.at({-20.0, std::log(800.0), -2.5})[0];
+  EXPECT_EQ(moved.size, -20.0);
+  EXPECT_NEAR(moved.parameters.at("frequency"), 800.0, 1e-9);
+  EXPECT_EQ(moved.parameters.at("phase"), -2.5);
+}
+
+TEST(EffectUnknownsTest, AShotIsNoUnknown) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns gain({{"shot-gain", 0.1, {{"shot", 2.0}}}}, unknowns);
+  EXPECT_EQ(unknowns.size(), 1u);
+  EXPECT_EQ(gain.at({0.2})[0].parameters.at("shot"), 2.0);
+}
+
+}  // namespace
+}  // namespace rebound
