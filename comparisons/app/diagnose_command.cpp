@@ -32,11 +32,14 @@ std::string diagnose_help() {
       "Fits the believed model of MODEL to all shots but those at one speed, looks for the "
       "smallest\n"
       "sets of effects that explain what is left, and predicts the speed that was left out.\n"
-      "Verdicts: agrees, missing, one-of, unexplained, measurement-fault, insufficient-data.\n"
+      "Verdicts: agrees, missing, family, one-of, unexplained, measurement-fault, "
+      "insufficient-data.\n"
       "Results go to --out, or else to results/diagnosis-NAME of the first data set's folder:\n"
-      "diagnosis.json, report.html and, where effects were found, extended.toml, a model file "
-      "that\n"
-      "lumped, synthesize and diagnose take as it stands.\n\nEffects:\n";
+      "diagnosis.json, report.html and, where effects were found, extended.toml (extended-2.toml "
+      "of "
+      "a\n"
+      "second ball, and so on), a model file that lumped, synthesize and diagnose take as it "
+      "stands.\n\nEffects:\n";
   for (const Effect& effect : all_effects())
     text += fmt::format("  {:<26} {}\n", effect.card.name, effect.card.sentence);
   return text + "\n" + exit_code_help();
@@ -67,6 +70,25 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
   return request;
 }
 
+/// extended.toml of the first ball, extended-2.toml of the second and so on; those of an earlier
+/// verdict go.
+std::vector<std::string> write_extended_models(const Diagnosis& diagnosis,
+                                               const std::filesystem::path& out) {
+  for (const auto& entry : std::filesystem::directory_iterator(out))
+    if (entry.path().filename().string().starts_with("extended") &&
+        entry.path().extension() == ".toml")
+      std::filesystem::remove(entry.path());
+  std::vector<std::string> written;
+  if (!diagnosis.gap.after) return written;
+  for (std::size_t ball = 0; ball < diagnosis.seen->balls.size(); ++ball) {
+    const auto file =
+        out / (ball == 0 ? "extended.toml" : fmt::format("extended-{}.toml", ball + 1));
+    write_file_atomically(file, extended_model_toml(diagnosis, ball));
+    written.push_back(file.string());
+  }
+  return written;
+}
+
 ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   const Document document = Document::load(options.model);
   const DiagnosisRequest request = request_of(options, document);
@@ -82,12 +104,9 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   }();
   const Provenance provenance = provenance_of(session, options.model, document.text());
   Json json = to_json(diagnosis);
-  if (diagnosis.gap.after) {
-    write_file_atomically(out / "extended.toml", extended_model_toml(diagnosis));
-    json["extended_model"] = (out / "extended.toml").string();
-  } else {
-    std::filesystem::remove(out / "extended.toml");  // of an earlier verdict
-  }
+  const std::vector<std::string> extended = write_extended_models(diagnosis, out);
+  if (!extended.empty()) json["extended_model"] = extended.front();
+  json["extended_models"] = extended;
   report::write_report(diagnosis_report(diagnosis, request.datasets.front().name, provenance),
                        out / "report.html");
   json["report"] = (out / "report.html").string();

@@ -1,5 +1,6 @@
 #include "lumped/mechanisms/elastic_force.hpp"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <string>
@@ -16,6 +17,25 @@ using Gauss = boost::math::quadrature::gauss<double, 30>;
 
 double law_force(const AnyLaw& law, double x) {
   return std::visit([x](const auto& l) { return l.elastic_force(x); }, law);
+}
+
+/// ∫ force dx from 0 to `last`, with x = u² for the power law at its start. Pieces end where the
+/// cubics of a curve that reaches to `curve_end` meet; 0: no curve.
+template <class Force>
+double integral_to(double last, double curve_end, const Force& force) {
+  const auto piece = [&](double from, double to) {
+    return Gauss::integrate([&](double u) { return 2.0 * u * force(u * u); }, std::sqrt(from),
+                            std::sqrt(to));
+  };
+  if (curve_end <= 0.0) return piece(0.0, last);
+  double sum = 0.0, from = 0.0;
+  for (std::size_t k = 1; k < FactorCurve::points && from < last; ++k) {
+    const double to = std::min(
+        last, curve_end * static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1));
+    sum += piece(from, to);
+    from = to;
+  }
+  return from < last ? sum + piece(from, last) : sum;
 }
 
 bool depends_on_deflection(ElasticFactors factors) {
@@ -53,8 +73,8 @@ double ElasticForce::elastic_force(double x) const {
 double ElasticForce::elastic_energy(double x) const {
   if (!varying_)
     return rate_factor_ * std::visit([x](const auto& l) { return l.elastic_energy(x); }, law_);
-  return Gauss::integrate([&](double u) { return 2.0 * u * elastic_force(u * u); }, 0.0,
-                          std::sqrt(std::abs(x)));
+  return integral_to(std::abs(x), factors_.curve.end * radius_,
+                     [this](double at) { return elastic_force(at); });
 }
 
 double ElasticForce::acting(const ContactPhase& phase, double x) const {
@@ -75,12 +95,11 @@ double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
 double ElasticForce::unloading_integral(double remaining, double largest) const {
   const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
   if (!memory_.weakens()) return share * elastic_energy(remaining);
-  return share * Gauss::integrate(
-                     [&](double u) {
-                       return 2.0 * u * elastic_force(u * u) *
-                              hysteresis_factor(memory_, u * u, largest);
-                     },
-                     0.0, std::sqrt(std::abs(remaining)));
+  const double ends =
+      memory_.curve.end == 0.0 ? factors_.curve.end * radius_ : memory_.curve.end * largest;
+  return share * integral_to(std::abs(remaining), ends, [&](double at) {
+           return elastic_force(at) * hysteresis_factor(memory_, at, largest);
+         });
 }
 
 double ElasticForce::recoverable_energy(const ContactPhase& phase, double x) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "lumped/problem/mechanisms.hpp"
 
@@ -21,6 +22,7 @@ namespace rebound {
 
 inline double curve_factor(const FactorCurve& curve, double u) {
   if (curve.end == 0.0) return 1.0;
+  if (std::isnan(u)) return u;  // of a step that is refused: no place on the curve
   constexpr int last = static_cast<int>(FactorCurve::points) - 1;
   const double place = std::min(u / curve.end, 1.0) * last;
   const int i = std::min(static_cast<int>(place), last - 1);

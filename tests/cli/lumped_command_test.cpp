@@ -53,12 +53,16 @@ size = "0.02 um/N"
   EXPECT_EQ(trace, read_whole(folder.path() / "two/trace.csv"));
 }
 
-TEST_F(LumpedCommandTest, AFaultOfTheMeasurementIsSentToSynthesize) {
+// A model that a diagnosis has extended by one is taken as it stands.
+TEST_F(LumpedCommandTest, AFaultOfTheMeasurementIsNamedAndLeftOut) {
   folder.write("a.toml",
                lumped_file + "[[model.effect]]\nname = \"bandwidth\"\nsize = \"10 kHz\"\n");
   const Outcome outcome = rebound({"lumped", "a.toml"});
-  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.errors.find("bandwidth"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("synthesize"), std::string::npos) << outcome.errors;
+  folder.write("without.toml", lumped_file);
+  EXPECT_EQ(rebound({"lumped", "without.toml"}).output, outcome.output);
 }
 
 TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparisons/io/toml/describe_effect.hpp"
@@ -63,13 +64,16 @@ BelievedModel read_believed_model(const Document& document, const std::vector<Da
   return {.model = file.impact.problem.model, .effects = file.impact.effects};
 }
 
-std::string extended_model_toml(const Diagnosis& diagnosis) {
+std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball) {
   const HypothesisFit& fit = diagnosis.best();
-  const MeasuredImpact& shot = diagnosis.seen->shots.front();
+  const auto& shots = diagnosis.seen->shots;
+  const auto of_ball = std::find_if(shots.begin(), shots.end(),
+                                    [&](const MeasuredImpact& one) { return one.ball == ball; });
+  const MeasuredImpact& shot = of_ball == shots.end() ? shots.front() : *of_ball;
   LumpedImpactFile file;
-  file.problem.sphere = diagnosis.seen->balls[shot.ball].sphere;
+  file.problem.sphere = diagnosis.seen->balls[ball].sphere;
   file.problem.impact.speed = shot.impact.speed;
-  file.problem.model = fit.model->believed_at(fit.values, shot.ball);
+  file.problem.model = fit.model->believed_at(fit.values, ball);
   if (!file.problem.model.damping_formula.empty() && shot.restitution.value)
     file.problem.model.restitution = shot.restitution.value;
   file.effects = fit.effects;

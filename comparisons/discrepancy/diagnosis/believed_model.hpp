@@ -23,8 +23,8 @@ struct BelievedModel {
 ///         sphere that is not that of the data.
 BelievedModel read_believed_model(const Document& document, const std::vector<Dataset>& datasets);
 
-/// The model that a diagnosis ends with, as an impact file: numbers of the
-/// first ball as fitted, effects with their fitted sizes, the first shot's impact.
-std::string extended_model_toml(const Diagnosis& diagnosis);
+/// The model that a diagnosis ends with, as an impact file: numbers of one ball as fitted, effects
+/// with their fitted sizes, the impact of the ball's first shot.
+std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball = 0);
 
 }  // namespace rebound

@@ -66,8 +66,8 @@ struct Diagnosis {
   std::vector<std::string> needed;
   std::vector<std::string> warnings;
   std::vector<NextExperiment> next;
-  std::string
-      withheld;  ///< why a single candidate got no name; empty: it got one, or there is none
+  std::vector<FactorBand> curves;  ///< of a family that has no formula here
+  std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
   std::optional<double> held_out_speed;

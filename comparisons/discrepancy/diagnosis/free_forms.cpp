@@ -56,7 +56,7 @@ std::vector<Curve> curves_of(const std::string& name) {
     return {{"deflection_over_radius", "reach", points_of("at", FactorCurve::points - 1)}};
   if (name == "damping-curves")
     return {{"deflection_over_radius", "deflection_reach", points_of("deflection", none)},
-            {"rate_m_s", "rate_reach", points_of("rate", FactorCurve::points - 1)}};
+            {"rate_m_s", "rate_reach", points_of("rate", 2)}};
   if (name == "unloading-curve") {
     std::vector<Point> points = points_of("at", 2);
     points.pop_back();  // held at one

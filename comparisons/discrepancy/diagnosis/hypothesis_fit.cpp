@@ -26,6 +26,16 @@ double independent_data(const Observations& seen, const JointModel& model) {
   return std::max(2.0, count);
 }
 
+/// Numbers that an effect costs: those that are fitted, and each choice that a search has made for
+/// it. To choose a switch, or one of the shots, is a choice.
+int numbers_of(const EffectChoice& effect, std::size_t fitted) {
+  const EffectCard& card = find_effect(effect.name).card;
+  const auto shots =
+      std::count_if(card.parameters.begin(), card.parameters.end(),
+                    [](const EffectParameterCard& one) { return one.kind == ParameterKind::shot; });
+  return std::max(1, static_cast<int>(fitted) + static_cast<int>(shots));
+}
+
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, const RunControl& control) {
   HypothesisFit fit;
@@ -55,9 +65,8 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     fit.chi_square += square;
     if (i < data) fit.data_chi_square += square;
   }
-  // To choose a switch is a choice as well: it counts as one number.
   for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
-    fit.effect_unknowns += std::max(1, static_cast<int>(model->unknowns_of_effect(k).size()));
+    fit.effect_unknowns += numbers_of(hypothesis.effects[k], model->unknowns_of_effect(k).size());
   const auto priors = static_cast<int>(fit.residuals.size() - data);
   fit.freedom =
       std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));

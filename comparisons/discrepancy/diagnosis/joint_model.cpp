@@ -56,6 +56,7 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
       law_(hypothesis.believed, seen.balls, unknowns_),
       effects_(hypothesis.effects, unknowns_),
       nuisances_(seen.shots.size()),
+      blocks_(seen.shots.size()),
       impacts_(seen.shots.size()) {
   for (std::size_t i = 0; i < seen.shots.size(); ++i) {
     for (const double time : seen.shots[i].trace.time)
@@ -193,19 +194,41 @@ double JointModel::scalar_at(const std::vector<double>& values, std::size_t shot
   return itself;
 }
 
+std::vector<double> JointModel::block_at(const std::vector<double>& values,
+                                         std::size_t shot) const {
+  const MeasuredImpact& measured = seen_.shots[shot];
+  std::vector<double> block;
+  if (measured.has_history())
+    block = whitened(measured, force_at(values, shot, measured.trace.time));
+  for (const ScalarQuantity& scalar : scalar_quantities)
+    if (const Measured& one = measured.*scalar.measured; one.has_error())
+      block.push_back((scalar_at(values, shot, scalar) - *one.value) / *one.uncertainty);
+  return block;
+}
+
+const std::vector<double>& JointModel::block_of(const std::vector<double>& values,
+                                                std::size_t shot) const {
+  constexpr std::size_t most_blocks = 4;
+  std::vector<double> key;
+  for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
+    key.push_back(values[factor]);
+  for (std::size_t k = 0; k < effects_.count(); ++k)
+    for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+  for (const NuisancePlace& place : nuisances_.places(shot)) key.push_back(values[place.unknown]);
+  auto& kept = blocks_[shot];
+  for (const Block& block : kept)
+    if (block.key == key) return block.residuals;
+  if (kept.size() == most_blocks) kept.erase(kept.begin());
+  kept.push_back({std::move(key), block_at(values, shot)});
+  return kept.back().residuals;
+}
+
 std::vector<double> JointModel::data_residuals(const std::vector<double>& values) const {
   std::vector<double> residuals;
   residuals.reserve(rows_.size() + unknowns_.size());
   for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
-    const MeasuredImpact& shot = seen_.shots[i];
-    if (shot.has_history()) {
-      const auto r = whitened(shot, force_at(values, i, shot.trace.time));
-      residuals.insert(residuals.end(), r.begin(), r.end());
-    }
-    for (const ScalarQuantity& scalar : scalar_quantities)
-      if (const Measured& measured = shot.*scalar.measured; measured.has_error())
-        residuals.push_back((scalar_at(values, i, scalar) - *measured.value) /
-                            *measured.uncertainty);
+    const std::vector<double>& block = block_of(values, i);
+    residuals.insert(residuals.end(), block.begin(), block.end());
   }
   return residuals;
 }

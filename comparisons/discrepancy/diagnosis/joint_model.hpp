@@ -94,6 +94,13 @@ class JointModel {
   struct Unstarted {};  ///< starts of records are not known yet
   JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted);
   std::vector<double> impact_key(const std::vector<double>& values, std::size_t shot) const;
+  /// Residuals of one shot, and the values of all that they depend on.
+  struct Block {
+    std::vector<double> key, residuals;
+  };
+  const std::vector<double>& block_of(const std::vector<double>& values, std::size_t shot) const;
+  std::vector<double> block_at(const std::vector<double>& values, std::size_t shot) const;
+
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();
@@ -110,6 +117,8 @@ class JointModel {
   std::vector<DataRow> rows_;
   std::map<std::size_t, std::size_t> starts_;  ///< unknown of each shot with a history
   std::vector<std::size_t> shot_nuisances_;
+  /// Of each shot the last few: a difference by one shot's own start moves no other shot.
+  mutable std::vector<std::vector<Block>> blocks_;
   mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const LumpedResult>>> impacts_;
 };
 

@@ -16,10 +16,10 @@ namespace rebound {
 /// all samples before contact of a data set together. Where that scatter contradicts what is
 /// stated, from either side, the scatter is taken, with a warning. Rounding to the steps of a
 /// recorder is added, with a warning (quantisation.hpp).
-/// Histories of more than about 600 samples a contact are averaged in blocks,
-/// their noise with them. Beside a history only the restitution is kept as a
-/// scalar: the other scalars repeat what the history says. Two data sets whose
-/// mass and diameter agree within their uncertainties are of one ball.
+/// Histories of more than about 600 samples a contact (fewer where a data set has more than ten
+/// shots, down to 150) are averaged in blocks, their noise with them. Beside a history only the
+/// restitution is kept as a scalar: the other scalars repeat what the history says. Two data sets
+/// whose mass and diameter agree within their uncertainties are of one ball.
 ///
 /// Caution: without samples before contact noise is taken as white, with a warning.
 Observations observe(const std::vector<Dataset>& datasets);

@@ -14,9 +14,10 @@ namespace rebound {
 namespace {
 
 constexpr double clearly_in_contact = 0.1;  // of the peak: above any noise that allows a diagnosis
-constexpr std::size_t most_samples = 600;   // a contact
-constexpr double worth_a_warning = 0.3;     // rounding over noise: 5 % of its deviation
-constexpr std::size_t fewest_quiet = 20;    // samples before contact that make a scatter
+// A contact; fewer where shots are many: a shape takes a hundred, and noise is averaged with it.
+constexpr std::size_t most_samples = 600, fewest_samples = 150, most_samples_in_all = 6000;
+constexpr double worth_a_warning = 0.3;   // rounding over noise: 5 % of its deviation
+constexpr std::size_t fewest_quiet = 20;  // samples before contact that make a scatter
 
 /// From a little before first touch to a little after separation. The threshold is a share of
 /// the peak, not contact_threshold(): the noise is often known only from what lies outside.
@@ -66,9 +67,9 @@ void count_rounding(MeasuredImpact& shot, Observations& seen) {
   if (shot.noise.deviation > 0.0) shot.noise.deviation = std::hypot(shot.noise.deviation, rounding);
 }
 
-Record prepare_record(MeasuredImpact& shot, std::size_t index) {
+Record prepare_record(MeasuredImpact& shot, std::size_t index, std::size_t samples) {
   const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
-  const std::size_t block = window_of(shot.trace.force).count() / most_samples;
+  const std::size_t block = window_of(shot.trace.force).count() / samples;
   average(shot, block);
   Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .rounding = rounding};
   shot.trace = {};
@@ -89,6 +90,9 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
     seen.warnings.push_back(dataset +
                             ": too few samples before contact to check the noise; it is taken as "
                             "white and of the stated size");
+  const double independent =
+      std::max(2.0, noise.samples * effective_share_of_variance(noise.autocorrelation));
+  bool estimated = enough && !noise.autocorrelation.empty();
   for (const Record& record : records) {
     MeasuredImpact& shot = seen.shots[record.shot];
     const double stated = shot.noise.deviation;
@@ -97,8 +101,6 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
       seen.noise_from = "stated by the data set";
       if (!enough) continue;
       // Three standard errors of the scatter, and no less than a fifth.
-      const double independent =
-          std::max(2.0, noise.samples * effective_share(noise.autocorrelation));
       const double slack = std::max(0.2, 3.0 / std::sqrt(2.0 * independent));
       if (std::abs(std::log(noise.deviation / stated)) <= slack) continue;
       if (&record == &records.front())
@@ -107,13 +109,16 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
             "scatter is taken",
             dataset, noise.deviation, stated));
       shot.noise.deviation = noise.deviation;
+      estimated = true;
       seen.noise_from = "scatter of the force before contact, which contradicts what is stated";
     } else if (record.contact.first >= fewest_quiet) {
       // Without anything else, a recorder rounds to one level again and again.
       shot.noise.deviation = std::max(estimate_noise({record.quiet()}).deviation, record.rounding);
       seen.noise_from = "scatter of the force before contact";
+      estimated = true;
     }
   }
+  if (estimated) seen.noise_freedom += independent;
   if (enough && !noise.autocorrelation.empty())
     seen.noise_from += fmt::format(
         "; neighbouring samples are alike (correlation {:.2g}), autoregressive of order {}",
@@ -138,11 +143,16 @@ void keep_contact(const Record& record, MeasuredImpact& shot) {
 }  // namespace
 
 void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen) {
+  std::size_t histories = 0;
+  for (std::size_t i = first; i < seen.shots.size(); ++i)
+    histories += seen.shots[i].has_history() ? 1 : 0;
+  const std::size_t samples = std::clamp(most_samples_in_all / std::max<std::size_t>(1, histories),
+                                         fewest_samples, most_samples);
   std::vector<Record> records;
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     if (seen.shots[i].has_history()) {
       count_rounding(seen.shots[i], seen);
-      records.push_back(prepare_record(seen.shots[i], i));
+      records.push_back(prepare_record(seen.shots[i], i, samples));
     }
   if (records.empty()) return;
   settle_noise(dataset, records, seen);

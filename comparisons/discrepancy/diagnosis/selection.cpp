@@ -1,7 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <functional>
 #include <limits>
 #include <set>
@@ -97,32 +96,6 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
   return minimal;
 }
 
-}  // namespace
-
-AssessedFit judge(const Observations& seen, HypothesisFit fit,
-                  const std::vector<std::string>& effects, const SelectionRules& rules,
-                  std::uint64_t seed) {
-  AssessedFit candidate;
-  candidate.fit = std::move(fit);
-  std::vector<std::string> others;
-  const Names own = names_of(candidate.fit.effects);
-  for (const auto& name : effects)
-    if (!own.contains(name)) others.push_back(name);
-  const EffectSensitivities around(seen, candidate.fit, others);
-  candidate.map = residual_map(seen, candidate.fit, around, rules.false_gap_level, seed);
-  candidate.remaining_threshold = around.threshold(rules.false_gap_level, seed);
-  for (const EffectScore& score : around.scores())
-    candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
-  const boost::math::chi_squared expected(candidate.fit.freedom);
-  candidate.p_value =
-      boost::math::cdf(boost::math::complement(expected, candidate.fit.data_chi_square));
-  candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&
-                       candidate.best_remaining <= candidate.remaining_threshold;
-  return candidate;
-}
-
-namespace {
-
 /// A set of effects to be fitted: what is fitted already, and one effect more.
 struct Extension {
   std::size_t from;  ///< index into the fits tried so far
@@ -134,25 +107,27 @@ struct Extension {
 /// The search for effects, step by step; what it finds stands in `selection`.
 class Search {
  public:
-  Search(const Observations& seen, const std::vector<std::string>& effects,
-         const SelectionRules& rules, std::uint64_t seed, const RunControl& control,
-         EffectSelection& selection)
+  /// `around` is of the baseline; its grid of starts serves all sets.
+  Search(const Observations& seen, EffectSensitivities& around,
+         const std::vector<std::string>& effects, const SelectionRules& rules, std::uint64_t seed,
+         const RunControl& control, EffectSelection& selection)
       : seen_(seen),
+        around_(around),
         effects_(effects),
         rules_(rules),
         seed_(seed),
         control_(control),
         selection_(selection) {}
 
-  bool singles(EffectSensitivities& around) {
-    around.look_for_starts();
-    auto ranked = ranking(around, base().chi_square);
+  bool singles() {
+    around_.look_for_starts();
+    auto ranked = ranking(around_, base().chi_square);
     if (std::ssize(ranked) > rules_.fitted_singles)
       ranked.resize(static_cast<std::size_t>(rules_.fitted_singles));
     return found(fit_all(
         ranked.size(),
         [&](std::size_t i) {
-          return fit_extended(seen_, base(), around.starts(ranked[i].first, starts_per_effect));
+          return fit_extended(seen_, base(), around_.starts(ranked[i].first, starts_per_effect));
         },
         control_));
   }
@@ -226,13 +201,13 @@ class Search {
       std::vector<std::string> others;
       for (const auto& name : effects_)
         if (!own.contains(name)) others.push_back(name);
-      EffectSensitivities near(seen_, smaller, others);
-      near.look_for_starts();
+      const EffectSensitivities near(seen_, smaller, others);
       for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
         Names set = own;
         set.insert(name);
         if (known.insert(set).second)
-          all.push_back({i, name, near.starts(name, starts_per_effect), smaller.chi_square - gain});
+          all.push_back(
+              {i, name, around_.starts(name, starts_per_effect), smaller.chi_square - gain});
       }
     }
     return all;
@@ -241,7 +216,9 @@ class Search {
   /// Assesses fits; is there an adequate one among all so far?
   bool found(const std::vector<std::optional<HypothesisFit>>& fits) {
     for (const auto& fit : fits)
-      if (fit) selection_.tried.push_back(judge(seen_, *fit, effects_, rules_, seed_));
+      if (fit)
+        selection_.tried.push_back(
+            judge(seen_, *fit, effects_, rules_, seed_, Look::at_what_may_pass));
     sort_by_criterion(selection_.tried);
     selection_.indistinguishable =
         indistinguishable_models(selection_.tried, rules_.close_criterion);
@@ -249,6 +226,7 @@ class Search {
   }
 
   const Observations& seen_;
+  EffectSensitivities& around_;
   const std::vector<std::string>& effects_;
   const SelectionRules& rules_;
   std::uint64_t seed_;
@@ -270,8 +248,8 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
     selection.excluded = excluded_sizes(around);
     return selection;
   }
-  Search search(seen, effects, rules, seed, control, selection);
-  if (search.singles(around) || search.families()) return selection;
+  Search search(seen, around, effects, rules, seed, control, selection);
+  if (search.singles() || search.families()) return selection;
   for (std::size_t count = 2; count <= rules.most_effects; ++count) {
     const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
     if (search.sets_of(count)) {

@@ -9,7 +9,23 @@ namespace {
 constexpr std::size_t fewest_samples = 10;  // of a stretch
 constexpr std::size_t most_lags = 16;
 constexpr std::size_t samples_per_lag = 8;  // at least: a lag is a number to be estimated
+constexpr std::size_t longest_lag = 400;    // beyond it nothing is correlated
 constexpr double white_share = 1e-3;        // of the variance
+
+/// What is left of a stretch without its straight line.
+std::vector<double> without_line(std::span<const double> stretch) {
+  const auto count = static_cast<double>(stretch.size());
+  const double middle = 0.5 * (count - 1.0), squares = count * (count * count - 1.0) / 12.0;
+  double mean = 0.0, slope = 0.0;
+  for (std::size_t i = 0; i < stretch.size(); ++i) {
+    mean += stretch[i] / count;
+    slope += (static_cast<double>(i) - middle) * stretch[i] / squares;
+  }
+  std::vector<double> left;
+  for (std::size_t i = 0; i < stretch.size(); ++i)
+    left.push_back(stretch[i] - mean - slope * (static_cast<double>(i) - middle));
+  return left;
+}
 
 /// Sum of products at a lag over all stretches, over their number at lag zero.
 double covariance_at(const std::vector<std::vector<double>>& centred, std::size_t lag) {
@@ -43,19 +59,20 @@ LinearPredictors linear_predictors(const std::vector<double>& autocorrelation) {
 EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches) {
   std::vector<std::vector<double>> centred;
   EstimatedNoise noise;
+  double largest = 0.0;
   for (const auto& stretch : stretches) {
     if (stretch.size() < fewest_samples) continue;
-    double mean = 0.0;
-    for (const double value : stretch) mean += value / static_cast<double>(stretch.size());
-    auto& one = centred.emplace_back();
-    for (const double value : stretch) one.push_back(value - mean);
+    centred.push_back(without_line(stretch));
     noise.samples += static_cast<int>(stretch.size());
+    for (const double value : stretch) largest = std::max(largest, std::abs(value));
   }
   if (centred.empty()) return noise;
   const double variance = covariance_at(centred, 0);
+  constexpr double rounding = 1e-14;  // of the readings themselves
+  if (!(variance > rounding * rounding * largest * largest)) return noise;
   const auto count = static_cast<double>(noise.samples);
-  noise.deviation = std::sqrt(variance * count / (count - static_cast<double>(centred.size())));
-  if (!(variance > 0.0)) return noise;
+  noise.deviation =
+      std::sqrt(variance * count / (count - 2.0 * static_cast<double>(centred.size())));
 
   const std::size_t lags =
       std::min(most_lags, static_cast<std::size_t>(noise.samples) / samples_per_lag);
@@ -76,6 +93,23 @@ EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretc
   correlation.resize(order);
   noise.autocorrelation = std::move(correlation);
   return noise;
+}
+
+double effective_share_of_variance(const std::vector<double>& autocorrelation) {
+  const LinearPredictors predictors = linear_predictors(autocorrelation);
+  const std::vector<double>& a = predictors.coefficients.back();
+  // The rest of the autocorrelation, as the autoregressive model continues it.
+  std::vector<double> rho = autocorrelation;
+  double sum = 1.0;
+  for (std::size_t lag = 1; lag <= longest_lag && !a.empty(); ++lag) {
+    if (lag > rho.size()) {
+      double next = 0.0;
+      for (std::size_t k = 1; k <= a.size(); ++k) next += a[k - 1] * rho[lag - k - 1];
+      rho.push_back(next);
+    }
+    sum += 2.0 * rho[lag - 1] * rho[lag - 1];
+  }
+  return 1.0 / sum;
 }
 
 double effective_share(const std::vector<double>& autocorrelation) {

@@ -28,7 +28,8 @@ struct EstimatedNoise {
   std::vector<double> autocorrelation;
 };
 
-/// Standard deviation and colour of noise from stretches of it, their means taken out.
+/// Standard deviation and colour of noise from stretches of it, a straight line taken out of
+/// each: an offset and a drift are faults of their own, and no noise.
 ///
 /// The order p of the autoregressive model has the least n ln v_p + p ln n. The autocorrelation is
 /// cut by a thousandth, as if as much white noise were beside it: noise without any power at
@@ -41,6 +42,11 @@ struct EstimatedNoise {
 EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches);
 
 /// How many independent samples tell as much of a constant as one sample of this noise.
+///
+///   (1 − Σ a_k)²/v_p
 double effective_share(const std::vector<double>& autocorrelation);
+
+/// The same for its variance: 1/Σ ρ_k² over all lags, both signs.
+double effective_share_of_variance(const std::vector<double>& autocorrelation);
 
 }  // namespace rebound

@@ -22,6 +22,8 @@ struct Observations {
   std::vector<Ball> balls;
   std::vector<MeasuredImpact> shots;  ///< labels: no two are alike
   double gain_uncertainty = 0.0;      ///< of the force scale, one standard deviation [-]
+  /// Independent samples that told the size or the colour of the noise; 0: it is known.
+  double noise_freedom = 0.0;
   std::string noise_from;             ///< in words, e.g. "stated by the data set"
   std::vector<std::string> warnings;  ///< what was assumed where nothing was stated
   std::vector<std::string> missing;   ///< what would have been needed; empty: enough

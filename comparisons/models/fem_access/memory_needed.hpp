@@ -7,7 +7,7 @@ namespace rebound {
 /// What an FE impact takes [B].
 ///
 ///   2.5 MB + cells × (1.7 kB + 0.22 kB a branch + 40 B for Mullins softening), explicit
-///   2.5 MB + cells × 40 kB, implicit (its factors by UMFPACK)
+///   6 MB + cells × 42 kB, implicit (its factors by UMFPACK)
 ///   and with field_frames 30 MB + cells × 1.1 kB, implicit 3 kB, more
 ///
 /// Rounded upwards from what rows "cost" of `rebound verify` measure, at 4000 to

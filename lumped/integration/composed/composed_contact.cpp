@@ -57,6 +57,12 @@ bool ComposedContact::needed(const LumpedProblem& problem) {
   return problem.model.mechanisms.act() || has_branch(problem.model.law);
 }
 
+std::size_t ComposedContact::state_count() const {
+  const auto& branches = mechanisms_.further_relaxation;
+  const bool further = branches[0].ratio != 0.0 || branches[1].ratio != 0.0;
+  return further ? states : further_relaxed;
+}
+
 State ComposedContact::state_scales() const {
   const double energy = 0.5 * setup_.mass * setup_.speed * setup_.speed;
   State scale = {scales_.deflection, setup_.speed, setup_.mass * setup_.speed, energy,

@@ -59,6 +59,9 @@ class ComposedContact {
 
   const ContactSetup& setup() const { return setup_; }
   const ContactScales& scales() const { return scales_; }
+  /// States that a problem has: the last two are those of further branches. An integrator whose
+  /// error is a mean over the states takes no more.
+  std::size_t state_count() const;
   /// Sizes of the states; local errors are taken of them.
   State state_scales() const;
   State initial_state() const;

@@ -14,23 +14,29 @@ constexpr std::size_t most_segments = 1000;
 using State = ComposedContact::State;
 using Event = ComposedContact::Event;
 
-State state_at(const double* y) {
-  State state;
-  std::copy_n(y, state.size(), state.begin());
+State state_at(const double* y, std::size_t count) {
+  State state{};
+  std::copy_n(y, count, state.begin());
   return state;
 }
 
+std::vector<double> initial_of(const ComposedContact& contact) {
+  const State state = contact.initial_state();
+  return {state.begin(), state.begin() + static_cast<std::ptrdiff_t>(contact.state_count())};
+}
+
 CvodeSystem system_of(const ComposedContact& contact, const ContactPhase& phase) {
-  return {.size = ComposedContact::states,
+  const std::size_t count = contact.state_count();
+  return {.size = count,
           .rate =
-              [&](const double* y, double* values) {
+              [&, count](const double* y, double* values) {
                 State rate;
-                contact.derivative(phase, state_at(y), rate);
-                std::copy(rate.begin(), rate.end(), values);
+                contact.derivative(phase, state_at(y, count), rate);
+                std::copy_n(rate.begin(), count, values);
               },
           .indicators =
-              [&](const double* y, double* values) {
-                const State state = state_at(y);
+              [&, count](const double* y, double* values) {
+                const State state = state_at(y, count);
                 const auto event_functions = contact.event_functions(phase);
                 for (int i = 0; i < event_functions.count; ++i)
                   values[i] = contact.indicator(event_functions.list[i].event, phase, state);
@@ -41,7 +47,7 @@ CvodeTolerances tolerances_of(const ComposedContact& contact) {
   const double relative = contact.setup().relative_tolerance;
   const State scales = contact.state_scales();
   std::vector<double> absolute;
-  for (const double scale : scales) absolute.push_back(relative * scale);
+  for (std::size_t i = 0; i < contact.state_count(); ++i) absolute.push_back(relative * scales[i]);
   // What Newton leaves breaks the linear relation of impulse and velocity.
   return {.relative = relative, .absolute = absolute, .newton = 1e-3};
 }
@@ -50,11 +56,11 @@ CvodeTolerances tolerances_of(const ComposedContact& contact) {
 
 ComposedCvode::ComposedCvode(const ComposedContact& contact)
     : contact_(contact),
-      solver_(system_of(contact_, phase_), tolerances_of(contact), contact.initial_state()) {}
+      solver_(system_of(contact_, phase_), tolerances_of(contact), initial_of(contact)) {}
 
 void ComposedCvode::begin(const Segment& segment, bool watching) {
   phase_ = segment.phase;
-  std::copy(segment.state.begin(), segment.state.end(), solver_.state());
+  std::copy_n(segment.state.begin(), contact_.state_count(), solver_.state());
   std::vector<int> directions;
   const auto event_functions = contact_.event_functions(phase_);
   for (int i = 0; watching && i < event_functions.count; ++i)
@@ -74,7 +80,7 @@ const ComposedEnd& ComposedCvode::integrate() {
     const auto event_functions = contact_.event_functions(phase_);
     const Event event =
         event_functions.list[static_cast<std::size_t>(first - reached.events.begin())].event;
-    State state = state_at(solver_.state());
+    State state = state_at(solver_.state(), contact_.state_count());
     if (event == Event::released || event == Event::separated) {
       end_ = {reached.time, state, phase_};
       segments_at_release = segments_.size();
@@ -98,7 +104,7 @@ Trace ComposedCvode::sample(int samples) {
     while (next < segments_.size() && segments_[next].start <= instant)
       begin(segments_[next++], false);
     if (instant > segments_[next - 1].start) solver_.advance(instant, "sampling the contact");
-    recorder.record(instant, phase_, state_at(solver_.state()));
+    recorder.record(instant, phase_, state_at(solver_.state(), contact_.state_count()));
   }
   recorder.record(end_.time, end_.phase, end_.state);
   return recorder.take();

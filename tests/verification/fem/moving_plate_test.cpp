@@ -117,7 +117,7 @@ TEST(MovingPlateImpact, StiffOrHeavyIsRigid) {
   }
   EXPECT_LT(before, 1e-4);
   const FemResult heavy =
-      impact(15, {.stiffness = almost_free, .mass = 1e9, .damping_ratio = 0.0}, fast_mesh());
+      impact(15, {.stiffness = almost_free, .mass = 1e6, .damping_ratio = 0.0}, fast_mesh());
   EXPECT_NEAR(heavy.scalars.contact_time / rigid.scalars.contact_time, 1.0, 1e-5);
   EXPECT_NEAR(heavy.restitution_momentum, rigid.restitution_momentum, 1e-6);
 }

@@ -12,7 +12,7 @@ Effect damping_curves_effect() {
           "formula.",
       .equation =
           "F_d [1 + g(x/R)] [1 + h(|v|)], both smooth through values at 0, 1/5 ... 1 of "
-          "their reach; the size is the last of h",
+          "their reach; the size is h at 2/5",
       .size_dimension = dimension::none,
       .range = curve_range(),
       .prior_scale = 0.3,
@@ -23,8 +23,8 @@ Effect damping_curves_effect() {
       .experiment = "Further speeds; the rate at a deflection is what changes.",
       .source = "piecewise cubic factors; restoring force surface, Masri & Caughey 1979",
       .is_free_form = true};
-  for (EffectParameterCard& point : curve_points("rate", 5))
-    card.parameters.push_back(std::move(point));
+  const std::vector<EffectParameterCard> rates = curve_points("rate", 6);
+  for (const std::size_t k : {0, 1, 3, 4, 5}) card.parameters.push_back(rates[k]);
   card.parameters.push_back({.name = "deflection_reach",
                              .sentence = "Deflection over radius at the last point of g.",
                              .dimension = dimension::none,
@@ -42,8 +42,10 @@ Effect damping_curves_effect() {
             DampingFactors& damping = problem.model.mechanisms.damping;
             damping.deflection_curve =
                 curve_of(choice, "deflection", 6, choice.parameters.at("deflection_reach"));
-            damping.rate_curve = curve_of(choice, "rate", 5, choice.parameters.at("rate_reach"));
-            damping.rate_curve.value.back() = choice.size;
+            damping.rate_curve.end = choice.parameters.at("rate_reach");
+            for (const std::size_t k : {0, 1, 3, 4, 5})
+              damping.rate_curve.value[k] = choice.parameters.at("rate_" + std::to_string(k));
+            damping.rate_curve.value[2] = choice.size;
           }};
 }
 

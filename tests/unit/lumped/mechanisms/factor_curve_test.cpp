@@ -16,6 +16,10 @@ TEST(FactorCurveTest, NothingIsOne) {
   for (const double u : {0.0, 0.11, 0.4, 2.0}) EXPECT_EQ(curve_factor({.end = 0.4}, u), 1.0);
 }
 
+TEST(FactorCurveTest, WhatIsNoNumberStaysNone) {
+  EXPECT_TRUE(std::isnan(curve_factor({.end = 0.4}, std::nan(""))));
+}
+
 TEST(FactorCurveTest, GoesThroughItsPointsAndStaysBeyond) {
   const FactorCurve curve{.value = {0.1, -0.2, 0.3, 0.0, 0.5, -0.1}, .end = 0.5};
   for (std::size_t k = 0; k < FactorCurve::points; ++k)

@@ -35,7 +35,7 @@ TEST_P(MeasurementFault, IsRecognisedAsWhatItIs) {
     const Diagnosis d = diagnose_hidden(experiment_with({hidden}, seed));
     const bool is_fault = d.verdict == DiagnosisVerdict::measurement_fault;
     if (is_fault && names(d, hidden.name)) ++recognised;
-    std::string said = name_of(d.verdict) + ":";
+    std::string said = std::string(name_of(d.verdict)) + ":";
     for (const auto& set : d.candidates) {
       for (const auto& name : set) said += " " + name;
       said += ";";

@@ -54,6 +54,15 @@ TEST(AutocorrelationTest, ShortStretchesTellTogether) {
   EXPECT_FALSE(noise.autocorrelation.empty());
 }
 
+TEST(AutocorrelationTest, AnOffsetAndADriftAreNoNoise) {
+  auto series = first_order(200, 0.0, 5);
+  const double alone = estimate_noise({series}).deviation;
+  for (std::size_t i = 0; i < series.size(); ++i) series[i] += 30.0 + 0.7 * static_cast<double>(i);
+  const EstimatedNoise noise = estimate_noise({series});
+  EXPECT_NEAR(noise.deviation, alone, 1e-9);
+  EXPECT_TRUE(noise.autocorrelation.empty());
+}
+
 TEST(AutocorrelationTest, NothingToSeeIsNothing) {
   EXPECT_EQ(estimate_noise({}).deviation, 0.0);
   const std::vector<double> still(50, 3.0);
@@ -64,6 +73,9 @@ TEST(AutocorrelationTest, NothingToSeeIsNothing) {
 TEST(AutocorrelationTest, EffectiveShareOfAFirstOrderSeries) {
   EXPECT_NEAR(effective_share({0.5}), 1.0 / 3.0, 1e-14);
   EXPECT_EQ(effective_share({}), 1.0);
+  // (1 − ρ²)/(1 + ρ²) for the variance
+  EXPECT_NEAR(effective_share_of_variance({0.5}), 0.75 / 1.25, 1e-12);
+  EXPECT_EQ(effective_share_of_variance({}), 1.0);
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+
+namespace rebound {
+
+namespace {
+
+/// Chance of as large a χ² or a larger one where nothing is missing. Where the noise itself was
+/// estimated, its own error counts: χ² over freedom is a ratio of variances then.
+double p_value_of(const HypothesisFit& fit, double noise_freedom) {
+  using boost::math::cdf, boost::math::complement;
+  if (noise_freedom > 0.0)
+    return cdf(
+        complement(boost::math::fisher_f(fit.freedom, noise_freedom), fit.reduced_chi_square()));
+  return cdf(complement(boost::math::chi_squared(fit.freedom), fit.data_chi_square));
+}
+
+}  // namespace
+
+AssessedFit judge(const Observations& seen, HypothesisFit fit,
+                  const std::vector<std::string>& effects, const SelectionRules& rules,
+                  std::uint64_t seed, Look look) {
+  AssessedFit candidate;
+  candidate.fit = std::move(fit);
+  candidate.p_value = p_value_of(candidate.fit, seen.noise_freedom);
+  // What χ² refuses needs no closer look; the model that is believed gets one, for its map.
+  if (look == Look::at_what_may_pass && candidate.p_value <= rules.smallest_adequate_p)
+    return candidate;
+  std::vector<std::string> others;
+  for (const auto& name : effects) {
+    const auto& own = candidate.fit.effects;
+    if (std::none_of(own.begin(), own.end(), [&](const auto& one) { return one.name == name; }))
+      others.push_back(name);
+  }
+  const EffectSensitivities around(seen, candidate.fit, others);
+  candidate.map = residual_map(seen, candidate.fit, around, rules.false_gap_level, seed);
+  candidate.remaining_threshold = around.threshold(rules.false_gap_level, seed);
+  for (const EffectScore& score : around.scores())
+    candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
+  candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&
+                       candidate.best_remaining <= candidate.remaining_threshold;
+  return candidate;
+}
+
+}  // namespace rebound

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "comparisons/inference/calibration/observations.hpp"
+#include "comparisons/models/effects/effect.hpp"
+
+/// At which sizes and further numbers a diagnosis looks at an effect.
+namespace rebound {
+
+/// `effect` with every combination of what is tried of its further parameters.
+std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
+                                          const Observations& seen);
+
+/// Where derivatives are taken: a step from null.
+std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen);
+
+/// Where searches may start.
+std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen);
+
+}  // namespace rebound
