@@ -55,7 +55,7 @@ void print_result(const Session& session, const Json& result) {
 
 std::vector<EffectChoice> without_measurement(const std::vector<EffectChoice>& effects) {
   for (const EffectChoice& effect : effects)
-    if (find_effect(effect.name).card.kind == EffectKind::measurement)
+    if (is_measurement(effect.name))
       fmt::print(stderr,
                  "rebound: {} is a fault of the measurement and does not act on the impact; "
                  "'rebound synthesize' applies it\n",

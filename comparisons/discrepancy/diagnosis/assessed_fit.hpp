@@ -14,9 +14,10 @@ struct SelectionRules {
   double false_gap_level = 0.02;  ///< chance that noise alone passes one of the two tests
   double close_criterion = 6.0;   ///< a rival within this information criterion is not ruled out
   double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
-  int fitted_singles = 10;            ///< best scores that are fitted in full
+  int fitted_singles = 10;            ///< best physical effects that are fitted in full
+  int fitted_faults = 6;              ///< best faults of the measurement
   int fitted_pairs = 8;               ///< of sets of two effects and more, per step
-  std::size_t most_effects = 4;       ///< of a set
+  std::size_t most_effects = 3;       ///< of a set
 };
 
 /// A fitted set of effects, assessed.

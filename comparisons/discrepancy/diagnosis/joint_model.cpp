@@ -18,10 +18,6 @@ constexpr LumpedControls impact_controls{.relative_tolerance = 1e-8, .samples = 
 constexpr std::size_t most_kept = 256;  // impacts a shot
 constexpr double first_rise = 0.05;     // of the peak: finds the start of contact
 
-bool acts_on_report_only(const std::string& effect) {
-  return find_effect(effect).card.kind == EffectKind::measurement;
-}
-
 /// Instant at which a force first rises above a share of its peak.
 double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
   const double level = first_rise * *std::max_element(force.begin(), force.end());
@@ -42,7 +38,7 @@ JointModel::JointModel(const JointModel& fitted, const std::vector<double>& valu
     : JointModel(fitted.seen_, hypothesis, {}) {
   for (const auto& [shot, place] : starts_)
     unknowns_[place].start = values[fitted.starts_.at(shot)];
-  if (!acts_on_report_only(hypothesis.effects.back().name)) return;
+  if (!is_measurement(hypothesis.effects.back().name)) return;
   for (std::size_t i = 0; i < impacts_.size(); ++i) {
     fitted.impact(values, i);
     const auto key = fitted.impact_key(values, i);
@@ -143,12 +139,19 @@ LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::siz
 }
 
 const LumpedResult& JointModel::impact(const std::vector<double>& values, std::size_t shot) const {
+  return kept_impact(values, shot).result;
+}
+
+const JointModel::KeptImpact& JointModel::kept_impact(const std::vector<double>& values,
+                                                      std::size_t shot) const {
   std::vector<double> key = impact_key(values, shot);
   auto& kept = impacts_[shot];
   if (const auto found = kept.find(key); found != kept.end()) return *found->second;
   if (kept.size() >= most_kept) kept.clear();
-  auto result = std::make_shared<const LumpedResult>(simulate_fast(problem_at(values, shot)));
-  return *kept.emplace(std::move(key), std::move(result)).first->second;
+  const LumpedProblem problem = problem_at(values, shot);
+  auto run = std::make_shared<const KeptImpact>(
+      KeptImpact{simulate_fast(problem), problem.model.mechanisms.plate});
+  return *kept.emplace(std::move(key), std::move(run)).first->second;
 }
 
 std::vector<double> JointModel::impact_key(const std::vector<double>& values,
@@ -158,7 +161,7 @@ std::vector<double> JointModel::impact_key(const std::vector<double>& values,
   for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
     key.push_back(values[factor]);
   for (std::size_t k = 0; k < effects_.count(); ++k)
-    if (!acts_on_report_only(hypothesis_.effects[k].name))
+    if (!is_measurement(hypothesis_.effects[k].name))
       for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
   const MeasurementChain chain = chain_at(values, shot);
   key.push_back(chain.mass_error);
@@ -173,9 +176,10 @@ double JointModel::first_touch(const std::vector<double>& values, std::size_t sh
 
 std::vector<double> JointModel::force_at(const std::vector<double>& values, std::size_t shot,
                                          const std::vector<double>& time) const {
-  const LumpedResult& result = impact(values, shot);
+  const auto& [result, plate] = kept_impact(values, shot);
   const MeasurementChain chain = chain_at(values, shot);
-  const Plate plate = problem_at(values, shot).model.mechanisms.plate;
+  if (!plate.moves() && !hypothesis_.model_discrepancy)
+    return reported_force(result.trace, chain, time);
   Trace force = with_ring_down(result.trace, plate,
                                time.back() - chain.trigger_shift - result.trace.time.back());
   if (hypothesis_.model_discrepancy)

@@ -94,6 +94,13 @@ class JointModel {
   struct Unstarted {};  ///< starts of records are not known yet
   JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted);
   std::vector<double> impact_key(const std::vector<double>& values, std::size_t shot) const;
+  /// An impact that was run, and what it was run on.
+  struct KeptImpact {
+    LumpedResult result;
+    Plate plate;
+  };
+  const KeptImpact& kept_impact(const std::vector<double>& values, std::size_t shot) const;
+
   /// Residuals of one shot, and the values of all that they depend on.
   struct Block {
     std::vector<double> key, residuals;
@@ -119,7 +126,7 @@ class JointModel {
   std::vector<std::size_t> shot_nuisances_;
   /// Of each shot the last few: a difference by one shot's own start moves no other shot.
   mutable std::vector<std::vector<Block>> blocks_;
-  mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const LumpedResult>>> impacts_;
+  mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const KeptImpact>>> impacts_;
 };
 
 }  // namespace rebound

@@ -111,6 +111,10 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
       shot.noise.deviation = noise.deviation;
       estimated = true;
       seen.noise_from = "scatter of the force before contact, which contradicts what is stated";
+    } else if (enough) {
+      shot.noise.deviation = std::max(noise.deviation, record.rounding);
+      seen.noise_from = "scatter of the force before contact";
+      estimated = true;
     } else if (record.contact.first >= fewest_quiet) {
       // Without anything else, a recorder rounds to one level again and again.
       shot.noise.deviation = std::max(estimate_noise({record.quiet()}).deviation, record.rounding);

@@ -20,14 +20,16 @@ Names names_of(const std::vector<EffectChoice>& effects) {
   return names;
 }
 
+/// Names with what they promise, best first.
+using Ranked = std::vector<std::pair<std::string, double>>;
+
 /// Searches per effect; the best of a grid first.
 constexpr std::size_t starts_per_effect = 2;
 
 /// How far the χ² of a fit would fall with one effect more: to first order
 /// along the effect, or at the best point of its grid.
-std::vector<std::pair<std::string, double>> ranking(const EffectSensitivities& around,
-                                                    double chi_square) {
-  std::vector<std::pair<std::string, double>> ranked;
+Ranked ranking(const EffectSensitivities& around, double chi_square) {
+  Ranked ranked;
   for (const EffectScore& score : around.scores())
     ranked.emplace_back(
         score.name, std::max(score.gain_chi_square, chi_square - around.best_probe(score.name)));
@@ -121,9 +123,7 @@ class Search {
 
   bool singles() {
     around_.look_for_starts();
-    auto ranked = ranking(around_, base().chi_square);
-    if (std::ssize(ranked) > rules_.fitted_singles)
-      ranked.resize(static_cast<std::size_t>(rules_.fitted_singles));
+    const auto ranked = best_of_each_kind(ranking(around_, base().chi_square));
     return found(fit_all(
         ranked.size(),
         [&](std::size_t i) {
@@ -188,6 +188,38 @@ class Search {
                        [&](const auto& one) { return names_of(one.fit.effects) == names; });
   }
 
+  /// Faults of the measurement are many: they must not take all places from what is physical.
+  Ranked best_of_each_kind(const Ranked& ranked) const {
+    Ranked best;
+    int physical = 0, faults = 0;
+    for (const auto& one : ranked) {
+      int& count = is_measurement(one.first) ? faults : physical;
+      const int most = is_measurement(one.first) ? rules_.fitted_faults : rules_.fitted_singles;
+      if (count++ < most) best.push_back(one);
+    }
+    return best;
+  }
+
+  /// A set holds one fault of the measurement at most, and none of three numbers or more: a burst
+  /// or a hum beside an effect fits whatever the effect leaves.
+  bool may_join(const std::string& name, const HypothesisFit& set) const {
+    const auto fault = [](const EffectChoice& one) { return is_measurement(one.name); };
+    return !is_measurement(name) ||
+           (is_simple(name) && std::none_of(set.effects.begin(), set.effects.end(), fault));
+  }
+  bool may_grow(const HypothesisFit& set) const {
+    return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
+      return !is_measurement(one.name) || is_simple(one.name);
+    });
+  }
+  static bool is_simple(const std::string& name) {
+    constexpr std::ptrdiff_t most_parameters = 1;
+    const auto& parameters = find_effect(name).card.parameters;
+    return std::count_if(parameters.begin(), parameters.end(), [](const EffectParameterCard& one) {
+             return one.fitted;
+           }) <= most_parameters;
+  }
+
   std::vector<Extension> extensions(std::size_t count) const {
     std::vector<Extension> all;
     std::set<Names> known;
@@ -195,7 +227,7 @@ class Search {
     std::size_t taken = 0;
     for (std::size_t i = 0; i < selection_.tried.size() && taken < beam; ++i) {
       const HypothesisFit& smaller = selection_.tried[i].fit;
-      if (added(smaller) != count - 1) continue;
+      if (added(smaller) != count - 1 || !may_grow(smaller)) continue;
       ++taken;
       const Names own = names_of(smaller.effects);
       std::vector<std::string> others;
@@ -203,6 +235,7 @@ class Search {
         if (!own.contains(name)) others.push_back(name);
       const EffectSensitivities near(seen_, smaller, others);
       for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
+        if (!may_join(name, smaller)) continue;
         Names set = own;
         set.insert(name);
         if (known.insert(set).second)

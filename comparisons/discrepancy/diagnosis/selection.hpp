@@ -27,8 +27,8 @@ struct EffectSelection {
 ///   1 first-order score of every effect on the baseline's residuals
 ///   2 the best single effects fitted in full, jointly over all shots
 ///   3 where none is adequate: the families, each by its free form
-///   4 where none is adequate: sets of two, three and four, each from the best of one less;
-///     what an adequate set of three or four does not need is taken out again
+///   4 where none is adequate: sets of two and of three, each from the best of one less;
+///     what an adequate set of three does not need is taken out again
 ///   5 every adequate and minimal set within 6 of the best criterion is indistinguishable
 ///
 /// An empty `indistinguishable` with an inadequate baseline means: not explained by

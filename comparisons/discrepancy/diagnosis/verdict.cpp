@@ -8,10 +8,6 @@
 namespace rebound {
 namespace {
 
-bool is_measurement(const std::string& name) {
-  return find_effect(name).card.kind == EffectKind::measurement;
-}
-
 /// Effects that a fit has beyond those of the believed model.
 std::vector<std::string> added_effects(const Diagnosis& d, const HypothesisFit& fit) {
   std::vector<std::string> names;
@@ -99,6 +95,18 @@ int contradicting_data(const Observations& seen, const HypothesisFit& fit) {
          (static_cast<int>(fit.values.size()) - priors);
 }
 
+/// Of several candidates, a set in which one member may as well not be there explains nothing by
+/// itself: it leaves the list while others stay.
+void drop_sets_with_idle_members(Diagnosis& d) {
+  auto& candidates = d.selection.indistinguishable;
+  const auto idle = [&](std::size_t i) {
+    const HypothesisFit& fit = d.selection.tried[i].fit;
+    return added_effects(d, fit).size() > 1 && !why_no_name(d, fit).empty();
+  };
+  if (std::all_of(candidates.begin(), candidates.end(), idle)) return;
+  std::erase_if(candidates, idle);
+}
+
 /// Sets that fit because nothing was left to contradict them are no candidates. Where all are
 /// of that kind, the data are not enough, whatever their number.
 void withdraw_what_cannot_fail(Diagnosis& d, const SelectionRules& rules) {
@@ -156,6 +164,7 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
   withdraw_what_cannot_fail(d, rules);
+  drop_sets_with_idle_members(d);
   locate(d);
   if (!d.selection.explains()) {
     d.verdict =

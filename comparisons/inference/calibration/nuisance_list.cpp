@@ -69,6 +69,23 @@ NuisanceKind baseline_error() {
                      }}};
 }
 
+/// Noise with power at low frequencies moves the zero from shot to shot, and the quiet of one
+/// record is too short to show it: as much as the noise itself may be left of it.
+NuisanceKind wander_error() {
+  return {.name = "wander",
+          .unit = "N",
+          .error = &MeasurementChain::force_baseline,
+          .slope = [](const DatumWithSensitivities& datum, double,
+                      const MeasurementChain&) { return 1.0 / datum.sigma; },
+          .asked = {.label = "wander of the zero"},
+          .stated = {.scope = NuisanceScope::each_shot,
+                     .label = "wander of the zero",
+                     .deviation = [](const Observations& seen, std::size_t shot) {
+                       const ForceNoise& noise = seen.shots[shot].noise;
+                       return noise.autocorrelation.empty() ? 0.0 : noise.deviation;
+                     }}};
+}
+
 /// Reported speed = (1 + ε) true speed.
 NuisanceKind speed_error() {
   return {.name = "speed",
@@ -115,8 +132,8 @@ NuisanceKind mass_error() {
 }  // namespace
 
 const std::vector<NuisanceKind>& all_nuisances() {
-  static const std::vector<NuisanceKind> list = {gain_error(), trigger_error(), baseline_error(),
-                                                 speed_error(), mass_error()};
+  static const std::vector<NuisanceKind> list = {gain_error(),   trigger_error(), baseline_error(),
+                                                 wander_error(), speed_error(),   mass_error()};
   return list;
 }
 

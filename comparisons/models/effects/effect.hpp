@@ -133,6 +133,9 @@ std::vector<std::string> effect_names();
 /// Errors: Error(bad_input) with the names there are.
 const Effect& find_effect(const std::string& name);
 
+/// Is this effect a fault of the measurement? Errors: as find_effect().
+bool is_measurement(const std::string& name);
+
 /// Applies effects one after the other; each edits plain records only. At its
 /// null size an effect leaves the record bit-identical.
 /// Errors: Error(bad_input) with the key path "model.effect[i]…" for an unknown effect or

@@ -86,13 +86,17 @@ std::string size_unit(const EffectCard& card) {
 }
 
 const Effect& find_effect(const std::string& name) {
-  std::string names;
-  for (const Effect& effect : all_effects()) {
+  for (const Effect& effect : all_effects())
     if (effect.card.name == name) return effect;
+  std::string names;
+  for (const Effect& effect : all_effects())
     names += (names.empty() ? "" : ", ") + effect.card.name;
-  }
   throw Error(ExitCode::bad_input, "unknown effect '" + name + "'",
               {.key = "model.effect", .value = name, .allowed = names});
+}
+
+bool is_measurement(const std::string& name) {
+  return find_effect(name).card.kind == EffectKind::measurement;
 }
 
 void apply_effects(const std::vector<EffectChoice>& effects, LumpedProblem& problem) {
@@ -110,9 +114,7 @@ void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& c
 std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects) {
   std::vector<EffectChoice> physical;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(physical),
-               [](const EffectChoice& choice) {
-                 return find_effect(choice.name).card.kind != EffectKind::measurement;
-               });
+               [](const EffectChoice& choice) { return !is_measurement(choice.name); });
   return physical;
 }
 
