@@ -36,8 +36,9 @@ AssessedFit judge(const Observations& seen, HypothesisFit fit,
       others.push_back(name);
   }
   const EffectSensitivities around(seen, candidate.fit, others);
-  candidate.map = residual_map(seen, candidate.fit, around, rules.false_gap_level, seed);
-  candidate.remaining_threshold = around.threshold(rules.false_gap_level, seed);
+  const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
+  candidate.map = residual_map(seen, candidate.fit, around, level, seed);
+  candidate.remaining_threshold = around.threshold(level, seed);
   for (const EffectScore& score : around.scores())
     candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
   candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&

@@ -12,7 +12,10 @@ namespace rebound {
 /// Numbers that decide; frozen, so that a verdict means the same everywhere.
 struct SelectionRules {
   double false_gap_level = 0.02;  ///< chance that noise alone passes one of the two tests
-  double close_criterion = 6.0;   ///< a rival within this information criterion is not ruled out
+  /// The same for a candidate: many are judged, and what is left over must not refuse the right
+  /// one.
+  double candidate_level = 0.002;
+  double close_criterion = 6.0;  ///< a rival within this information criterion is not ruled out
   double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
   int fitted_singles = 10;            ///< best physical effects that are fitted in full
   int fitted_faults = 6;              ///< best faults of the measurement

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rebound {
@@ -14,6 +15,15 @@ NumberWithInterval with_interval(const HypothesisFit& fit, std::size_t unknown,
   const Estimate& e = fit.search.estimates[unknown];
   const auto back = [&](double x) { return logarithmic ? std::exp(x) : x; };
   return {.name = name, .value = back(e.value), .low = back(e.low), .high = back(e.high)};
+}
+
+/// A number that is free but looked for at one value only, such as a damping ratio: data need not
+/// determine it for its effect to have a name.
+bool is_secondary(const EffectCard& card, const std::string& unknown) {
+  return std::any_of(card.parameters.begin(), card.parameters.end(),
+                     [&](const EffectParameterCard& one) {
+                       return card.name + " " + one.name == unknown && one.tried.size() == 1;
+                     });
 }
 
 std::string weakness(const Estimate& estimate) {
@@ -54,6 +64,7 @@ std::string weak_number_of(const HypothesisFit& fit, std::size_t k) {
   const auto& unknowns = fit.model->unknowns_of_effect(k);
   for (const std::size_t unknown : unknowns) {
     const Estimate& estimate = fit.search.estimates[unknown];
+    if (is_secondary(card, estimate.name)) continue;
     if (const std::string why = weakness(estimate); !why.empty())
       return fmt::format("{} is {}", estimate.name, why);
   }
