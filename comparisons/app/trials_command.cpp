@@ -33,7 +33,6 @@ std::string trials_help() {
 ExitCode run_trials_command(const Session& session, const TrialsOptions& options) {
   const std::filesystem::path folder = options.folder;
   const std::filesystem::path out = session.out.empty() ? folder / "outcomes" : session.out;
-  make_writable_folder(out);
   const std::vector<TrialOutcome> outcomes = [&] {
     ProgressLine progress("trials");
     return run_trials({.folder = folder, .outcomes = out, .seed = options.seed},

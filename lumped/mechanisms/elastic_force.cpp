@@ -23,11 +23,16 @@ double law_force(const AnyLaw& law, double x) {
 /// cubics of a curve that reaches to `curve_end` meet; 0: no curve.
 template <class Force>
 double integral_to(double last, double curve_end, const Force& force) {
-  const auto piece = [&](double from, double to) {
+  const auto part = [&](double from, double to) {
     return Gauss::integrate([&](double u) { return 2.0 * u * force(u * u); }, std::sqrt(from),
                             std::sqrt(to));
   };
-  if (curve_end <= 0.0) return piece(0.0, last);
+  // Halves, for other factors may have a corner of their own within a piece.
+  const auto piece = [&](double from, double to) {
+    const double middle = 0.5 * (from + to);
+    return part(from, middle) + part(middle, to);
+  };
+  if (curve_end <= 0.0) return part(0.0, last);
   double sum = 0.0, from = 0.0;
   for (std::size_t k = 1; k < FactorCurve::points && from < last; ++k) {
     const double to = std::min(
@@ -112,7 +117,12 @@ double ElasticForce::recoverable_energy(const ContactPhase& phase, double x) con
 double ElasticForce::lost_energy(const ContactPhase& phase, double x) const {
   if (memory_ == UnloadingMemory{}) return 0.0;
   const double largest = phase.kind == ContactPhase::Kind::loading ? x : phase.largest;
-  return elastic_energy(largest) - unloading_integral(largest, largest);
+  // Both by the same pieces, so that what quadrature misses at a corner is missed by both.
+  const double brought = memory_.curve.end == 0.0
+                             ? elastic_energy(largest)
+                             : integral_to(std::abs(largest), memory_.curve.end * largest,
+                                           [this](double at) { return elastic_force(at); });
+  return brought - unloading_integral(largest, largest);
 }
 
 }  // namespace rebound

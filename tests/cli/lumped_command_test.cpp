@@ -62,7 +62,10 @@ TEST_F(LumpedCommandTest, AFaultOfTheMeasurementIsNamedAndLeftOut) {
   EXPECT_NE(outcome.errors.find("bandwidth"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("synthesize"), std::string::npos) << outcome.errors;
   folder.write("without.toml", lumped_file);
-  EXPECT_EQ(rebound({"lumped", "without.toml"}).output, outcome.output);
+  const auto without_time = [](const std::string& text) {
+    return text.substr(0, text.find("wall_s"));
+  };
+  EXPECT_EQ(without_time(rebound({"lumped", "without.toml"}).output), without_time(outcome.output));
 }
 
 TEST_F(LumpedCommandTest, AContactThatNeverEndsReportsNoRestitution) {

@@ -34,6 +34,7 @@ double mean_contact_time(const Observations& seen, const HypothesisFit& fit) {
 struct Point {
   std::string number;  ///< of the parameter; empty: the size
   double place = 0.0;  ///< over the reach
+  double sign = 1.0;   ///< of g in the number
 };
 
 struct Curve {
@@ -60,6 +61,7 @@ std::vector<Curve> curves_of(const std::string& name) {
   if (name == "unloading-curve") {
     std::vector<Point> points = points_of("at", 2);
     points.pop_back();  // held at one
+    points[2].sign = -1.0;
     return {{"share_of_largest_deflection", "", std::move(points)}};
   }
   return {};
@@ -120,9 +122,10 @@ std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {
       const Estimate* value = estimate_of(fit, k, point.number);
       if (!value) continue;
       band.x.push_back(reach * point.place);
-      band.factor.push_back(1.0 + value->value);
-      band.low.push_back(1.0 + value->low);
-      band.high.push_back(1.0 + value->high);
+      const double low = 1.0 + point.sign * value->low, high = 1.0 + point.sign * value->high;
+      band.factor.push_back(1.0 + point.sign * value->value);
+      band.low.push_back(std::min(low, high));
+      band.high.push_back(std::max(low, high));
     }
   }
   return bands;

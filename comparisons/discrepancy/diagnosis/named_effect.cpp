@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/inference/calibration/effective_residuals.hpp"
+#include "comparisons/inference/calibration/profile.hpp"
+
 namespace rebound {
 namespace {
 
@@ -26,11 +29,29 @@ bool is_secondary(const EffectCard& card, const std::string& unknown) {
                      });
 }
 
-std::string weakness(const Estimate& estimate) {
-  if (estimate.identifiability == Identifiability::not_identifiable)
-    return "not determined by the data";
-  if (estimate.identifiability == Identifiability::at_bound) return "at a bound of the search";
-  return {};
+bool leaves_out_null(const EffectCard& card, double low, double high) {
+  const double slack = next_to_null * card.prior_scale;
+  return !std::isfinite(card.null) || low - slack > card.null || high + slack < card.null;
+}
+
+/// Do the linearised intervals of effect k say enough?
+bool is_well_determined(const HypothesisFit& fit, std::size_t k) {
+  const auto& unknowns = fit.model->unknowns_of_effect(k);
+  const Estimate& size = fit.search.estimates[unknowns[0]];
+  return leaves_out_null(find_effect(fit.effects[k].name).card, size.low, size.high) &&
+         std::all_of(unknowns.begin(), unknowns.end(), [&](std::size_t unknown) {
+           return fit.search.estimates[unknown].identifiability !=
+                  Identifiability::not_identifiable;
+         });
+}
+
+/// Likelihood-ratio interval of the size, all else refitted: where two numbers of an effect trade
+/// against each other, as mass and stiffness of a plate do, the linearised one says nothing.
+ProfileInterval profile_of_size(const HypothesisFit& fit, std::size_t k) {
+  CalibrationProblem problem = with_priors(fit.model->problem());
+  problem.controls.cost_tolerance = 1e-6;
+  problem.controls.iterations = 30;
+  return profile_of(problem, fit.search, fit.model->unknowns_of_effect(k)[0], {});
 }
 
 }  // namespace
@@ -47,6 +68,11 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
   const auto& unknowns = fit.model->unknowns_of_effect(k);
   if (unknowns.empty()) return result;
   result.size = with_interval(fit, unknowns[0], choice.name, false);
+  if (!is_well_determined(fit, k)) {
+    const ProfileInterval profile = profile_of_size(fit, k);
+    result.size.low = profile.low;
+    result.size.high = profile.high;
+  }
   std::size_t next = 1;
   for (const auto& parameter : effect.card.parameters)
     if (parameter.fitted)
@@ -64,16 +90,18 @@ std::string weak_number_of(const HypothesisFit& fit, std::size_t k) {
   const auto& unknowns = fit.model->unknowns_of_effect(k);
   for (const std::size_t unknown : unknowns) {
     const Estimate& estimate = fit.search.estimates[unknown];
-    if (is_secondary(card, estimate.name)) continue;
-    if (const std::string why = weakness(estimate); !why.empty())
-      return fmt::format("{} is {}", estimate.name, why);
+    if (!is_secondary(card, estimate.name) && estimate.identifiability == Identifiability::at_bound)
+      return estimate.name + " is at a bound of the search";
   }
-  if (unknowns.empty() || !std::isfinite(card.null)) return {};
-  const Estimate& size = fit.search.estimates[unknowns[0]];
-  const double slack = next_to_null * card.prior_scale;
-  if (size.low - slack <= card.null && card.null <= size.high + slack)
-    return fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect",
-                       size.value, size.low, size.high);
+  if (unknowns.empty() || is_well_determined(fit, k)) return {};
+  const ProfileInterval profile = profile_of_size(fit, k);
+  const double size = fit.search.estimates[unknowns[0]].value;
+  if (!profile.low_closed || !profile.high_closed)
+    return fmt::format("the data do not bound its size of {:.3g} within [{:.3g}, {:.3g}]", size,
+                       profile.low, profile.high);
+  if (!leaves_out_null(card, profile.low, profile.high))
+    return fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect", size,
+                       profile.low, profile.high);
   return {};
 }
 

@@ -130,6 +130,7 @@ TrialOutcome trial_outcome_from(const std::string& text, const std::string& file
 
 std::vector<TrialOutcome> run_trials(const TrialRun& run, const RunControl& control) {
   const std::vector<int> numbers = trials_of(run.folder);
+  make_writable_folder(run.outcomes);
   std::vector<TrialOutcome> outcomes(numbers.size());
   std::atomic<std::size_t> done = 0;
   in_parallel(numbers.size(), [&](std::size_t i) {

@@ -15,7 +15,7 @@ Effect elastic_curve_effect() {
           "the size is the last one",
       .size_dimension = dimension::none,
       .range = curve_range(),
-      .prior_scale = 0.3,
+      .prior_scale = 0.1,
       .parameters = curve_points("at", 5),
       .signature = "Loading and unloading alike, at every speed the same at the same deflection.",
       .experiment = "A slow compression shows the curve itself.",

@@ -10,9 +10,9 @@ Effect unloading_curve_effect() {
                .sentence = "Elastic force below the largest deflection times a curve: the "
                            "history family without a formula.",
                .equation = "F_e(x) [1 + g(x/x_max)] while x < x_max, g smooth through values at "
-                           "0, 1/5 ... 4/5 and 0 at 1; the size is the one at 2/5",
+                           "0, 1/5 ... 4/5 and 0 at 1; the size is -g at 2/5",
                .size_dimension = dimension::none,
-               .range = from_to(-0.95, 1.0),
+               .range = from_to(0.0, 0.95),
                .prior_scale = 0.3,
                .parameters = {curve_points("at", 5)[0], curve_points("at", 5)[1],
                               curve_points("at", 5)[3], curve_points("at", 5)[4]},
@@ -25,7 +25,7 @@ Effect unloading_curve_effect() {
         FactorCurve curve{.end = 1.0};
         for (const std::size_t k : {0, 1, 3, 4})
           curve.value[k] = choice.parameters.at("at_" + std::to_string(k));
-        curve.value[2] = choice.size;
+        curve.value[2] = -choice.size;
         problem.model.mechanisms.memory.curve = curve;
       }};
 }
