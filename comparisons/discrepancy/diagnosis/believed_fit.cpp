@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "lumped/laws/laws.hpp"
+#include "comparisons/inference/calibration/law_factors.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -13,26 +13,6 @@ namespace {
 
 constexpr std::size_t grid_starts = 2;  // searches from the grid, beside the believed numbers
 constexpr std::size_t most_points = 200;
-
-/// The numbers of a law that a joint fit looks for: LawFactors has the same rule.
-std::vector<std::string> unknown_numbers(const LumpedModel& model) {
-  const LawCard& card = find_law(model.law);
-  std::vector<std::string> names;
-  for (const ParameterCard& parameter : card.parameters)
-    if (!parameter.default_value &&
-        !(!model.damping_formula.empty() && parameter.name == card.damping_parameter))
-      names.push_back(parameter.name);
-  return names;
-}
-
-LumpedModel scaled(LumpedModel model, const std::string& name, double factor) {
-  const auto scale = [&](ParameterValues& numbers) {
-    if (const auto found = numbers.find(name); found != numbers.end()) found->second *= factor;
-  };
-  scale(model.parameters);
-  for (auto& entry : model.at_speed) scale(entry.parameters);
-  return model;
-}
 
 std::vector<LumpedModel> grid_around(const LumpedModel& believed) {
   std::vector<LumpedModel> grid{believed};

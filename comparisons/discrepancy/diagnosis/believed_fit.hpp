@@ -11,7 +11,7 @@ namespace rebound {
 /// is kept. `hypothesis.believed` of what comes back holds the numbers it was started from.
 ///
 /// Limit: stiffness an eighth or eight times the truth gives the same fit
-///        -> test BelievedFitTest.TheStartDoesNotDecide.
+///        -> test NotFooledTest.TheStartDoesNotDecide.
 /// Errors: as fit_hypothesis().
 HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesis,
                            const RunControl& control = {});

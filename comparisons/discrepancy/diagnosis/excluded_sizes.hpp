@@ -28,7 +28,7 @@ struct ExcludedSize {
 ///
 /// Valid:   the model agrees with the data. First order in the fit's unknowns, exact in the effect.
 /// Limit:   an effect hidden at a size that noise covers is not excluded
-///          -> test ExcludedSizesTest.TheTruthIsNotExcluded.
+///          -> test NotFooledTest.ExcludedSizesCoverTheTruth.
 /// Effects that stay hidden somewhere on the grid at eight times their prior scale, switches, and
 /// effects without a size of null are left out.
 std::vector<ExcludedSize> excluded_sizes(const EffectSensitivities& around);

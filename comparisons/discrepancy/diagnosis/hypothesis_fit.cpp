@@ -18,11 +18,12 @@ const CalibrationControls search_controls{
 
 /// N: samples that are alike count for less than as many that are not.
 double independent_data(const Observations& seen, const JointModel& model) {
+  std::vector<double> share;
+  for (const MeasuredImpact& shot : seen.shots)
+    share.push_back(effective_share(shot.noise.autocorrelation));
   double count = 0.0;
   for (const DataRow& row : model.rows())
-    count += row.what == ObservedQuantity::force
-                 ? effective_share(seen.shots[row.shot].noise.autocorrelation)
-                 : 1.0;
+    count += row.what == ObservedQuantity::force ? share[row.shot] : 1.0;
   return std::max(2.0, count);
 }
 

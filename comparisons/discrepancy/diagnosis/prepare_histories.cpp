@@ -57,8 +57,7 @@ struct Record {
 
 /// Adds the noise of rounding, where it is worth a word, to what is stated; one measured on the
 /// quiet holds the rounding by itself.
-void count_rounding(MeasuredImpact& shot, Observations& seen) {
-  const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
+void count_rounding(MeasuredImpact& shot, double rounding, Observations& seen) {
   if (!(rounding > worth_a_warning * shot.noise.deviation)) return;
   seen.warnings.push_back(
       fmt::format("{}: the force is recorded in steps of {:.3g} N; {:.3g} N of rounding count as "
@@ -67,8 +66,10 @@ void count_rounding(MeasuredImpact& shot, Observations& seen) {
   if (shot.noise.deviation > 0.0) shot.noise.deviation = std::hypot(shot.noise.deviation, rounding);
 }
 
-Record prepare_record(MeasuredImpact& shot, std::size_t index, std::size_t samples) {
+Record prepare_record(std::size_t index, std::size_t samples, Observations& seen) {
+  MeasuredImpact& shot = seen.shots[index];
   const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
+  count_rounding(shot, rounding, seen);
   const std::size_t block = window_of(shot.trace.force).count() / samples;
   average(shot, block);
   Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .rounding = rounding};
@@ -154,10 +155,7 @@ void prepare_histories(const std::string& dataset, std::size_t first, Observatio
                                          fewest_samples, most_samples);
   std::vector<Record> records;
   for (std::size_t i = first; i < seen.shots.size(); ++i)
-    if (seen.shots[i].has_history()) {
-      count_rounding(seen.shots[i], seen);
-      records.push_back(prepare_record(seen.shots[i], i, samples));
-    }
+    if (seen.shots[i].has_history()) records.push_back(prepare_record(i, samples, seen));
   if (records.empty()) return;
   settle_noise(dataset, records, seen);
   for (const Record& record : records) {

@@ -29,6 +29,8 @@ struct TrialGate {
   double least = 0.0, most = 1.0;    ///< of the share
   double most_of_upper_bound = 1.0;  ///< of the upper end of its interval
 
+  /// Is anything asked of it, or is it there to be read?
+  bool is_asked() const { return least > 0.0 || most < 1.0 || most_of_upper_bound < 1.0; }
   bool passes() const;
 };
 

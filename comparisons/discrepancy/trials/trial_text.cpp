@@ -26,7 +26,7 @@ std::string asked_text(const TrialGate& gate) {
     text += fmt::format("{}at most {:.0f} %", text.empty() ? "" : ", ", 100.0 * gate.most);
   if (gate.most_of_upper_bound < 1.0)
     text += fmt::format(", upper bound {:.1f} %", 100.0 * gate.most_of_upper_bound);
-  return text.empty() ? "-" : text;
+  return gate.is_asked() ? text : "-";
 }
 
 Json share_json(const Share& share) {
@@ -58,10 +58,9 @@ report::Table gate_table(const TrialScores& scores) {
                       .columns = {{"quantity"}, {"share"}, {"asked"}, {"met"}},
                       .rows = {}};
   for (const TrialGate& gate : scores.gates) {
-    const bool asked = asked_text(gate) != "-";
     table.rows.push_back(
         {text_cell(gate.what), text_cell(share_text(gate.share)), text_cell(asked_text(gate)),
-         asked
+         gate.is_asked()
              ? text_cell(gate.passes() ? "yes" : "no", gate.passes() ? Verdict::good : Verdict::bad)
              : text_cell("-")});
   }
@@ -115,7 +114,7 @@ Json to_json(const TrialScores& scores) {
     Json one = share_json(gate.share);
     one["what"] = gate.what;
     one["asked"] = asked_text(gate);
-    one["met"] = asked_text(gate) == "-" ? Json(nullptr) : Json(gate.passes());
+    one["met"] = gate.is_asked() ? Json(gate.passes()) : Json(nullptr);
     gates.push_back(std::move(one));
   }
   return {{"schema", 1},
@@ -132,9 +131,8 @@ std::string to_text(const TrialScores& scores) {
                                  scores.trials, scores.median_seconds, scores.longest_seconds);
   const auto out = std::back_inserter(text);
   for (const TrialGate& gate : scores.gates) {
-    const std::string asked = asked_text(gate);
-    fmt::format_to(out, "{:<52}{:<36}{}{}\n", gate.what, share_text(gate.share), asked,
-                   asked == "-" ? "" : (gate.passes() ? "  met" : "  NOT MET"));
+    fmt::format_to(out, "{:<52}{:<36}{}{}\n", gate.what, share_text(gate.share), asked_text(gate),
+                   !gate.is_asked() ? "" : (gate.passes() ? "  met" : "  NOT MET"));
   }
   text += "\nhidden: what was said\n";
   for (const auto& [row, cells] : scores.confusion) {
@@ -146,11 +144,10 @@ std::string to_text(const TrialScores& scores) {
 }
 
 report::Report trial_report(const TrialScores& scores) {
-  const auto met = std::count_if(scores.gates.begin(), scores.gates.end(), [](const auto& gate) {
-    return asked_text(gate) != "-" && gate.passes();
-  });
+  const auto met = std::count_if(scores.gates.begin(), scores.gates.end(),
+                                 [](const auto& gate) { return gate.is_asked() && gate.passes(); });
   const auto asked = std::count_if(scores.gates.begin(), scores.gates.end(),
-                                   [](const auto& gate) { return asked_text(gate) != "-"; });
+                                   [](const auto& gate) { return gate.is_asked(); });
   report::Report page{.title = "Blind trials of the diagnosis",
                       .subtitle = fmt::format("{} data sets whose contents were sealed before the "
                                               "first was diagnosed",

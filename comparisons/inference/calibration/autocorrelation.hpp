@@ -36,7 +36,7 @@ struct EstimatedNoise {
 /// high frequencies would make a model's own rounding there decide a fit.
 ///
 /// Valid:   stationary noise, stretches of ten samples or more.
-/// Limit:   white noise is called white in nineteen of twenty cases
+/// Limit:   white noise is called white in nine of ten cases and more
 ///          -> test AutocorrelationTest.WhiteNoiseIsWhite; an autoregressive series gives its
 ///          coefficients -> test AutocorrelationTest.FindsAnAutoregressiveSeries.
 EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches);

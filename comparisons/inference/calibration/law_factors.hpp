@@ -9,6 +9,13 @@
 
 namespace rebound {
 
+/// The numbers of a law that a fit looks for: those without a default, less the damping where a
+/// formula gives it.
+std::vector<std::string> unknown_numbers(const LumpedModel& model);
+
+/// The model with one of its numbers multiplied, at every speed.
+LumpedModel scaled(LumpedModel model, const std::string& number, double factor);
+
 /// The numbers of a believed law as unknowns: ln of a factor on every free parameter, for each
 /// ball. LawUnknowns searches for numbers that nobody believes yet.
 ///
