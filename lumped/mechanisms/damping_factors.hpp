@@ -11,7 +11,7 @@ namespace rebound {
 
 /// Damping force of a law with its factors, and a linear dashpot beside it.
 ///
-///   F_d (x/x_r)^a |ẋ/v_r|^b · curve(x/R) · curve(|ẋ|) + c ẋ
+///   F_d (x/x_r)^a |ẋ/v_r|^b · curve(x/R) · curve(|ẋ|) + c ẋ,   two curves over x/R
 ///
 ///   x, ẋ   deflection [m] and its rate [m/s] as the law sees them
 ///   c      dashpot [N s/m]
@@ -37,6 +37,7 @@ double damping_force(const Law& law, const DampingFactors& factors, double radiu
     force *=
         rate == 0.0 ? 0.0 : std::pow(std::abs(rate) / reference_speed, factors.velocity_exponent);
   force *= curve_factor(factors.deflection_curve, std::abs(x) / radius) *
+           curve_factor(factors.elastic_curve, std::abs(x) / radius) *
            curve_factor(factors.rate_curve, std::abs(rate));
   return force + factors.dashpot * rate;
 }

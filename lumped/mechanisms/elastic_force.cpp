@@ -43,6 +43,30 @@ double integral_to(double last, double curve_end, const Force& force) {
   return from < last ? sum + piece(from, last) : sum;
 }
 
+/// ∫ force dη from 0 to `last` ≤ `largest` on an unloading curve: over v, η/x_max = 1 − (1 − v²)²,
+/// in which both the power law at its start and the curve at its end are smooth.
+template <class Force>
+double unloading_integral_to(double last, double largest, const Force& force) {
+  const auto part = [&](double from, double to) {
+    return Gauss::integrate(
+        [&](double v) {
+          const double left = 1.0 - v * v;
+          return 4.0 * largest * left * v * force(largest * (1.0 - left * left));
+        },
+        from, to);
+  };
+  const double end = std::sqrt(unloading_place(last / largest));
+  double sum = 0.0, from = 0.0;
+  for (std::size_t k = 1; k < FactorCurve::points && from < end; ++k) {
+    const double point =
+        std::sqrt(static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1));
+    const double to = std::min(end, point), middle = 0.5 * (from + to);
+    sum += part(from, middle) + part(middle, to);
+    from = to;
+  }
+  return sum;
+}
+
 bool depends_on_deflection(ElasticFactors factors) {
   factors.rate_exponent = 0.0;
   return factors != ElasticFactors{};
@@ -100,11 +124,12 @@ double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
 double ElasticForce::unloading_integral(double remaining, double largest) const {
   const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
   if (!memory_.weakens()) return share * elastic_energy(remaining);
-  const double ends =
-      memory_.curve.end == 0.0 ? factors_.curve.end * radius_ : memory_.curve.end * largest;
-  return share * integral_to(std::abs(remaining), ends, [&](double at) {
-           return elastic_force(at) * hysteresis_factor(memory_, at, largest);
-         });
+  const auto force = [&](double at) {
+    return elastic_force(at) * hysteresis_factor(memory_, at, largest);
+  };
+  return share * (memory_.curve.end == 0.0
+                      ? integral_to(std::abs(remaining), factors_.curve.end * radius_, force)
+                      : unloading_integral_to(std::abs(remaining), largest, force));
 }
 
 double ElasticForce::recoverable_energy(const ContactPhase& phase, double x) const {
@@ -120,8 +145,9 @@ double ElasticForce::lost_energy(const ContactPhase& phase, double x) const {
   // Both by the same pieces, so that what quadrature misses at a corner is missed by both.
   const double brought = memory_.curve.end == 0.0
                              ? elastic_energy(largest)
-                             : integral_to(std::abs(largest), memory_.curve.end * largest,
-                                           [this](double at) { return elastic_force(at); });
+                             : unloading_integral_to(std::abs(largest), largest, [this](double at) {
+                                 return elastic_force(at);
+                               });
   return brought - unloading_integral(largest, largest);
 }
 

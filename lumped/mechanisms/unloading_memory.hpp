@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "lumped/mechanisms/factor_curve.hpp"
@@ -7,10 +8,14 @@
 
 /// Elastic force below the largest deflection so far, x_max.
 ///
-///   F = F_e(η) [1 − h (1 − η/x_max)] · curve(η/x_max),   η = ⟨(x − p x_max)/(1 − p)⟩
+///   F = F_e(η) [1 − h (1 − η/x_max)] · curve(u),   η = ⟨(x − p x_max)/(1 − p)⟩
+///   u = 1 − √(1 − η/x_max)
 ///
 ///   p   permanent set: residual over largest deflection [-]
 ///   h   hysteresis: share of the force lost at η → 0    [-]
+///
+/// Points that are even in u stand close where unloading begins, which is where measured loops turn
+/// fastest; in time u is smooth there, since x_max − x grows as t².
 ///
 /// At x = x_max the force is F_e(x_max): loading is the law's own, unloading
 /// and reloading run on this curve until x passes x_max. For F_e = κ xⁿ and
@@ -31,12 +36,21 @@ inline double remaining_deflection(const UnloadingMemory& memory, double x, doub
   return p == 0.0 ? x : (x - p * largest) / (1.0 - p);
 }
 
+/// u of a share η/x_max, and back.
+inline double unloading_place(double share) {
+  return 1.0 - std::sqrt(std::max(0.0, 1.0 - share));
+}
+inline double unloading_share(double place) {
+  return 1.0 - (1.0 - place) * (1.0 - place);
+}
+
 /// Factor on the elastic force at the remaining deflection η; even in η, as laws
 /// are continued oddly below zero.
 inline double hysteresis_factor(const UnloadingMemory& memory, double remaining, double largest) {
   if (!memory.weakens() || largest <= 0.0) return 1.0;
   const double share = std::abs(remaining) / largest;
-  return (1.0 - memory.hysteresis * (1.0 - share)) * curve_factor(memory.curve, share);
+  return (1.0 - memory.hysteresis * (1.0 - share)) *
+         curve_factor(memory.curve, unloading_place(share));
 }
 
 }  // namespace rebound

@@ -49,7 +49,8 @@ struct DampingFactors {
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
   FactorCurve deflection_curve{};  ///< over x/R
-  FactorCurve rate_curve{};        ///< over |ẋ| [m/s]
+  FactorCurve elastic_curve{};  ///< over x/R, as far as damping follows that of the elastic force
+  FactorCurve rate_curve{};     ///< over |ẋ| [m/s]
 
   static constexpr auto limits() {
     return std::tuple{
@@ -77,7 +78,7 @@ struct RelaxationBranch {
 struct UnloadingMemory {
   double hysteresis = 0.0;     ///< s in F_e [1 − s (1 − x/x_max)] [-]
   double permanent_set = 0.0;  ///< residual over largest deflection [-]
-  FactorCurve curve{};         ///< over η/x_max, of the force below x_max
+  FactorCurve curve{};         ///< over 1 − √(1 − η/x_max), of the force below x_max
 
   /// Does the elastic force fall below the law's own while unloading?
   bool weakens() const { return hysteresis != 0.0 || curve.end != 0.0; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <iterator>
 
 namespace rebound {
 
@@ -20,6 +21,17 @@ double p_value_of(const HypothesisFit& fit, double noise_freedom) {
 
 }  // namespace
 
+std::vector<std::string> absent_from(const HypothesisFit& fit,
+                                     const std::vector<std::string>& effects) {
+  std::vector<std::string> others;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(others),
+               [&](const std::string& name) {
+                 return std::none_of(fit.effects.begin(), fit.effects.end(),
+                                     [&](const EffectChoice& one) { return one.name == name; });
+               });
+  return others;
+}
+
 AssessedFit judge(const Observations& seen, HypothesisFit fit,
                   const std::vector<std::string>& effects, const SelectionRules& rules,
                   std::uint64_t seed, Look look) {
@@ -29,13 +41,7 @@ AssessedFit judge(const Observations& seen, HypothesisFit fit,
   // What χ² refuses needs no closer look; the model that is believed gets one, for its map.
   if (look == Look::at_what_may_pass && candidate.p_value <= rules.smallest_adequate_p)
     return candidate;
-  std::vector<std::string> others;
-  for (const auto& name : effects) {
-    const auto& own = candidate.fit.effects;
-    if (std::none_of(own.begin(), own.end(), [&](const auto& one) { return one.name == name; }))
-      others.push_back(name);
-  }
-  const EffectSensitivities around(seen, candidate.fit, others);
+  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects));
   const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
   candidate.map = residual_map(seen, candidate.fit, around, level, seed);
   candidate.remaining_threshold = around.threshold(level, seed);

@@ -36,6 +36,10 @@ struct AssessedFit {
 /// Which fits get a residual map and a list of what one more effect would bring.
 enum class Look { at_all, at_what_may_pass };
 
+/// Those of `effects` that a fit does not have.
+std::vector<std::string> absent_from(const HypothesisFit& fit,
+                                     const std::vector<std::string>& effects);
+
 /// Judges a fit: χ², its residual map, and what one more effect would bring.
 AssessedFit judge(const Observations& seen, HypothesisFit fit,
                   const std::vector<std::string>& effects, const SelectionRules& rules,

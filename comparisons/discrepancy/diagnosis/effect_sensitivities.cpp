@@ -8,6 +8,7 @@
 
 #include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
 #include "comparisons/discrepancy/diagnosis/noise_statistics.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -56,10 +57,23 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   } else {
     basis_.resize(rows, 0);
   }
-  for (const std::string& name : effects_) {
-    const EffectCard& card = find_effect(name).card;
-    for (const EffectChoice& small : small_effects(card, seen_)) add_sensitivity(card, small);
-  }
+  std::vector<EffectChoice> choices;
+  for (const std::string& name : effects_)
+    for (EffectChoice& small : small_effects(find_effect(name).card, seen_))
+      choices.push_back(std::move(small));
+  const auto moved = moved_residuals(choices);
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (moved[i]) add_sensitivity(choices[i], *moved[i]);
+}
+
+std::vector<std::optional<Eigen::VectorXd>> EffectSensitivities::moved_residuals(
+    const std::vector<EffectChoice>& choices) const {
+  // Impacts of the fit are kept in its model: run before threads share it, they are only read.
+  for (std::size_t shot = 0; shot < seen_.shots.size(); ++shot)
+    fit_.model->impact(fit_.values, shot);
+  std::vector<std::optional<Eigen::VectorXd>> moved(choices.size());
+  in_parallel(choices.size(), [&](std::size_t i) { moved[i] = residuals_with(fit_, choices[i]); });
+  return moved;
 }
 
 std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectCard& card) const {
@@ -73,12 +87,11 @@ std::optional<double> EffectSensitivities::rise(const EffectChoice& effect) cons
   return project(*moved).squaredNorm() - project(r).squaredNorm();
 }
 
-void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectChoice& small) {
-  const auto moved = residuals_with(fit_, small);
-  if (!moved) return;
-  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
+void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved) {
+  const EffectCard& card = find_effect(small.name).card;
+  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved.size());
   const double reach = std::isfinite(card.null) ? small.size - card.null : small.size;
-  const Eigen::VectorXd change = (*moved - r) / reach;
+  const Eigen::VectorXd change = (moved - r) / reach;
   EffectSensitivity sensitivity{.effect = small, .sensitivity = project(change)};
   const double whole = change.squaredNorm(), left = sensitivity.sensitivity.squaredNorm();
   if (!(std::sqrt(left) * card.prior_scale > invisible) || !(left > fully_absorbed * whole)) return;
@@ -87,10 +100,14 @@ void EffectSensitivities::add_sensitivity(const EffectCard& card, const EffectCh
 }
 
 void EffectSensitivities::look_for_starts() {
+  std::vector<EffectChoice> choices;
   for (const std::string& name : effects_)
-    for (const EffectChoice& finite : finite_effects(find_effect(name).card, seen_))
-      if (const auto moved = residuals_with(fit_, finite))
-        probes_.push_back({.effect = finite, .chi_square = project(*moved).squaredNorm()});
+    for (EffectChoice& finite : finite_effects(find_effect(name).card, seen_))
+      choices.push_back(std::move(finite));
+  const auto moved = moved_residuals(choices);
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (moved[i])
+      probes_.push_back({.effect = choices[i], .chi_square = project(*moved[i]).squaredNorm()});
   std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
     return a.chi_square < b.chi_square;
   });

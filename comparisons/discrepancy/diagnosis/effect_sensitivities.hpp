@@ -86,7 +86,10 @@ class EffectSensitivities {
   Eigen::VectorXd project(const Eigen::VectorXd& column) const;
 
  private:
-  void add_sensitivity(const EffectCard& card, const EffectChoice& small);
+  void add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved);
+  /// residuals_with() of each, side by side.
+  std::vector<std::optional<Eigen::VectorXd>> moved_residuals(
+      const std::vector<EffectChoice>& choices) const;
 
   const Observations& seen_;
   const HypothesisFit& fit_;

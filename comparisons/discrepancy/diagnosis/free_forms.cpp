@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumped/mechanisms/unloading_memory.hpp"
+
 namespace rebound {
 namespace {
 
@@ -62,6 +64,7 @@ std::vector<Curve> curves_of(const std::string& name) {
     std::vector<Point> points = points_of("at", 2);
     points.pop_back();  // held at one
     points[2].sign = -1.0;
+    for (Point& point : points) point.place = unloading_share(point.place);
     return {{"share_of_largest_deflection", "", std::move(points)}};
   }
   return {};

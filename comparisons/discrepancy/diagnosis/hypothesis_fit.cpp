@@ -13,8 +13,11 @@ namespace rebound {
 namespace {
 
 constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
-const CalibrationControls search_controls{
-    .relative_step = difference, .cost_tolerance = 1e-7, .iterations = 60};
+const CalibrationControls search_controls{.relative_step = difference,
+                                          .differences = Differences::one_sided,
+                                          .cost_tolerance = 1e-7,
+                                          .iterations = 60};
+constexpr int first_look_iterations = 10;
 
 /// N: samples that are alike count for less than as many that are not.
 double independent_data(const Observations& seen, const JointModel& model) {
@@ -27,24 +30,32 @@ double independent_data(const Observations& seen, const JointModel& model) {
   return std::max(2.0, count);
 }
 
-/// Numbers that an effect costs: those that are fitted, and each choice that a search has made for
+/// Numbers that effect k costs: those that are fitted, and each choice that a search has made for
 /// it. To choose a switch, or one of the shots, is a choice.
-int numbers_of(const EffectChoice& effect, std::size_t fitted) {
-  const EffectCard& card = find_effect(effect.name).card;
-  const auto shots =
-      std::count_if(card.parameters.begin(), card.parameters.end(),
-                    [](const EffectParameterCard& one) { return one.kind == ParameterKind::shot; });
-  return std::max(1, static_cast<int>(fitted) + static_cast<int>(shots));
+double numbers_of(const HypothesisFit& fit, std::size_t k) {
+  const EffectCard& card = find_effect(fit.effects[k].name).card;
+  double numbers = 0.0;
+  for (const EffectParameterCard& one : card.parameters)
+    if (one.kind == ParameterKind::shot) numbers += 1.0;
+  for (const std::size_t unknown : fit.model->unknowns_of_effect(k)) {
+    const auto& prior = fit.model->unknowns()[unknown].prior;
+    const double error = fit.search.estimates[unknown].standard_error;
+    numbers += prior && std::isfinite(error)
+                   ? 1.0 - std::min(1.0, std::pow(error / prior->deviation, 2))
+                   : 1.0;
+  }
+  return std::max(1.0, numbers);
 }
 
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
-                       const HypothesisFit* near, const RunControl& control) {
+                       const HypothesisFit* near, SearchEffort effort, const RunControl& control) {
   HypothesisFit fit;
   fit.hypothesis = hypothesis;
   const auto model = std::make_shared<const JointModel>(seen, hypothesis);
   fit.model = model;
   CalibrationProblem problem = model->problem();
   problem.controls = search_controls;
+  if (effort == SearchEffort::first_look) problem.controls.iterations = first_look_iterations;
   if (near) {
     const std::vector<double> starts = values_from(*near, *model);
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -67,7 +78,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     if (i < data) fit.data_chi_square += square;
   }
   for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
-    fit.effect_unknowns += numbers_of(hypothesis.effects[k], model->unknowns_of_effect(k).size());
+    fit.effect_unknowns += numbers_of(fit, k);
   const auto priors = static_cast<int>(fit.residuals.size() - data);
   fit.freedom =
       std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));
@@ -91,11 +102,12 @@ std::vector<double> values_from(const HypothesisFit& fit, const JointModel& mode
 
 HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
                              const RunControl& control) {
-  return fit_from(seen, hypothesis, nullptr, control);
+  return fit_from(seen, hypothesis, nullptr, SearchEffort::whole, control);
 }
 
 HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
-                           const std::vector<EffectChoice>& starts, const RunControl& control) {
+                           const std::vector<EffectChoice>& starts, SearchEffort effort,
+                           const RunControl& control) {
   std::optional<HypothesisFit> best;
   Error failure(ExitCode::solver_failed, "the effect has no numbers to start from");
   for (const EffectChoice& start : starts) {
@@ -103,7 +115,7 @@ HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
     one.effects = near.effects;
     one.effects.push_back(start);
     try {
-      HypothesisFit fit = fit_from(seen, one, &near, control);
+      HypothesisFit fit = fit_from(seen, one, &near, effort, control);
       if (!best || fit.chi_square < best->chi_square) best = std::move(fit);
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
@@ -112,6 +124,13 @@ HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
   }
   if (!best) throw failure;
   return std::move(*best);
+}
+
+HypothesisFit fit_further(const Observations& seen, const HypothesisFit& fit,
+                          const RunControl& control) {
+  Hypothesis hypothesis = fit.hypothesis;
+  hypothesis.effects = fit.effects;
+  return fit_from(seen, hypothesis, &fit, SearchEffort::whole, control);
 }
 
 HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) {

@@ -20,8 +20,11 @@ struct HypothesisFit {
   double chi_square = 0.0;            ///< Σ r² over data and priors
   double data_chi_square = 0.0;       ///< Σ r² over the data alone
   int freedom = 0;                    ///< data − unknowns without a prior
-  int effect_unknowns = 0;            ///< fitted numbers of effects
-  /// χ² + k ln N: k the effects' unknowns, N the independent data.
+  /// k: fitted numbers of effects. One that a prior holds counts by the share that the data tell,
+  /// 1 − s²/σ² with s its error in the fit and σ that of the prior: a curve through eleven points
+  /// is no eleven numbers where it is smooth.
+  double effect_unknowns = 0.0;
+  /// χ² + k ln N, N the independent data.
   double information_criterion = 0.0;
 
   std::size_t data_rows() const { return model->rows().size(); }
@@ -31,6 +34,9 @@ struct HypothesisFit {
 /// Values of a model's unknowns: as fitted for those of the same name, as the
 /// model starts for all others.
 std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model);
+
+/// How far a search goes: a first look tells which of many hypotheses deserve a whole one.
+enum class SearchEffort { first_look, whole };
 
 /// Fits a hypothesis, effects included, from its numbers as they stand.
 /// Errors: as JointModel and calibrate().
@@ -42,7 +48,12 @@ HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothe
 /// search is kept.
 /// Errors: as above; Error(solver_failed) when no start has an answer.
 HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
-                           const std::vector<EffectChoice>& starts, const RunControl& control = {});
+                           const std::vector<EffectChoice>& starts, SearchEffort effort,
+                           const RunControl& control = {});
+
+/// Goes on, from where it stands, with a search that was a first look.
+HypothesisFit fit_further(const Observations& seen, const HypothesisFit& fit,
+                          const RunControl& control = {});
 
 /// What is left of shots that the fit never saw: physics and the instrument's
 /// common numbers stay as fitted, start of contact and speed of each new shot

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/inference/calibration/residual_slopes.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
@@ -14,9 +15,9 @@
 namespace rebound {
 namespace {
 
-constexpr LumpedControls impact_controls{.relative_tolerance = 1e-8, .samples = 401};
+constexpr LumpedControls impact_controls{.relative_tolerance = 1e-7, .samples = 201};
 constexpr std::size_t most_kept = 256;  // impacts a shot
-constexpr double first_rise = 0.05;     // of the peak: finds the start of contact
+constexpr double first_rise = 0.3;      // of the peak: above the noise, finds the start of contact
 
 /// Instant at which a force first rises above a share of its peak.
 double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
@@ -53,7 +54,9 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
       effects_(hypothesis.effects, unknowns_),
       nuisances_(seen.shots.size()),
       blocks_(seen.shots.size()),
-      impacts_(seen.shots.size()) {
+      impacts_(seen.shots.size()),
+      first_of_group_(shots_that_share(seen, hypothesis.believed)),
+      pairs_(seen.shots.size()) {
   for (std::size_t i = 0; i < seen.shots.size(); ++i) {
     for (const double time : seen.shots[i].trace.time)
       rows_.push_back({i, ObservedQuantity::force, time});
@@ -148,10 +151,38 @@ const JointModel::KeptImpact& JointModel::kept_impact(const std::vector<double>&
   auto& kept = impacts_[shot];
   if (const auto found = kept.find(key); found != kept.end()) return *found->second;
   if (kept.size() >= most_kept) kept.clear();
-  const LumpedProblem problem = problem_at(values, shot);
-  auto run = std::make_shared<const KeptImpact>(
-      KeptImpact{simulate_fast(problem), problem.model.mechanisms.plate});
+  auto run = std::make_shared<const KeptImpact>(run_impact(values, shot));
   return *kept.emplace(std::move(key), std::move(run)).first->second;
+}
+
+JointModel::KeptImpact JointModel::run_impact(const std::vector<double>& values,
+                                              std::size_t shot) const {
+  constexpr double farthest = 3.0;  // times the distance of the two impacts
+  const std::size_t first = first_of_group_[shot];
+  const bool alone = std::count(first_of_group_.begin(), first_of_group_.end(), first) == 1;
+  const double speed = seen_.shots[shot].impact.speed / (1.0 + chain_at(values, shot).speed_error);
+  const double share = (speed / seen_.shots[first].impact.speed - 1.0) / faster;
+  if (!alone && std::abs(share) <= farthest) {
+    const SpeedPair& pair = speed_pair(values, first);
+    return {between(pair.nominal.result, pair.above, share), pair.nominal.plate};
+  }
+  const LumpedProblem problem = problem_at(values, shot);
+  return {simulate_fast(problem), problem.model.mechanisms.plate};
+}
+
+const JointModel::SpeedPair& JointModel::speed_pair(const std::vector<double>& values,
+                                                    std::size_t first) const {
+  std::vector<double> key = impact_key(values, first);
+  key.pop_back();  // the speed error: both speeds are the group's own
+  auto& kept = pairs_[first];
+  if (const auto found = kept.find(key); found != kept.end()) return found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  LumpedProblem problem = problem_at(values, first);
+  problem.impact.speed = seen_.shots[first].impact.speed;
+  SpeedPair pair{{simulate_fast(problem), problem.model.mechanisms.plate}, {}};
+  problem.impact.speed *= 1.0 + faster;
+  pair.above = simulate_fast(problem);
+  return kept.emplace(std::move(key), std::move(pair)).first->second;
 }
 
 std::vector<double> JointModel::impact_key(const std::vector<double>& values,

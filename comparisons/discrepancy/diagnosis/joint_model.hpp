@@ -100,6 +100,14 @@ class JointModel {
     Plate plate;
   };
   const KeptImpact& kept_impact(const std::vector<double>& values, std::size_t shot) const;
+  KeptImpact run_impact(const std::vector<double>& values, std::size_t shot) const;
+  /// Two impacts of a group of repeated shots, the second this much faster.
+  static constexpr double faster = 0.01;
+  struct SpeedPair {
+    KeptImpact nominal;
+    LumpedResult above;
+  };
+  const SpeedPair& speed_pair(const std::vector<double>& values, std::size_t first) const;
 
   /// Residuals of one shot, and the values of all that they depend on.
   struct Block {
@@ -127,6 +135,8 @@ class JointModel {
   /// Of each shot the last few: a difference by one shot's own start moves no other shot.
   mutable std::vector<std::vector<Block>> blocks_;
   mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const KeptImpact>>> impacts_;
+  std::vector<std::size_t> first_of_group_;  ///< of repeated shots, for every shot
+  mutable std::vector<std::map<std::vector<double>, SpeedPair>> pairs_;
 };
 
 }  // namespace rebound

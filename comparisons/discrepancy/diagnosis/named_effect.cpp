@@ -54,6 +54,35 @@ ProfileInterval profile_of_size(const HypothesisFit& fit, std::size_t k) {
   return profile_of(problem, fit.search, fit.model->unknowns_of_effect(k)[0], {});
 }
 
+/// A number of effect k that a search left at its bound; empty: none.
+std::string number_at_bound(const HypothesisFit& fit, std::size_t k) {
+  const EffectCard& card = find_effect(fit.effects[k].name).card;
+  for (const std::size_t unknown : fit.model->unknowns_of_effect(k)) {
+    const Estimate& estimate = fit.search.estimates[unknown];
+    if (!is_secondary(card, estimate.name) && estimate.identifiability == Identifiability::at_bound)
+      return estimate.name + " is at a bound of the search";
+  }
+  return {};
+}
+
+/// Size of effect k with the interval that the data give it, and whether that carries a name.
+void measure_size(const HypothesisFit& fit, std::size_t k, NamedEffect& result) {
+  result.size = with_interval(fit, fit.model->unknowns_of_effect(k)[0], fit.effects[k].name, false);
+  result.weak = number_at_bound(fit, k);
+  if (is_well_determined(fit, k)) return;
+  const ProfileInterval profile = profile_of_size(fit, k);
+  result.size.low = profile.low;
+  result.size.high = profile.high;
+  if (!result.weak.empty()) return;
+  const double size = result.size.value;
+  if (!profile.low_closed || !profile.high_closed)
+    result.weak = fmt::format("the data do not bound its size of {:.3g} within [{:.3g}, {:.3g}]",
+                              size, profile.low, profile.high);
+  else if (!leaves_out_null(find_effect(fit.effects[k].name).card, profile.low, profile.high))
+    result.weak = fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect",
+                              size, profile.low, profile.high);
+}
+
 }  // namespace
 
 NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
@@ -67,12 +96,7 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
   if (!effect.to_lumped) result.lumped = "no-form";
   const auto& unknowns = fit.model->unknowns_of_effect(k);
   if (unknowns.empty()) return result;
-  result.size = with_interval(fit, unknowns[0], choice.name, false);
-  if (!is_well_determined(fit, k)) {
-    const ProfileInterval profile = profile_of_size(fit, k);
-    result.size.low = profile.low;
-    result.size.high = profile.high;
-  }
+  measure_size(fit, k, result);
   std::size_t next = 1;
   for (const auto& parameter : effect.card.parameters)
     if (parameter.fitted)
@@ -83,26 +107,6 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
       result.parameters.push_back({parameter.name, shot, shot, shot});
     }
   return result;
-}
-
-std::string weak_number_of(const HypothesisFit& fit, std::size_t k) {
-  const EffectCard& card = find_effect(fit.effects[k].name).card;
-  const auto& unknowns = fit.model->unknowns_of_effect(k);
-  for (const std::size_t unknown : unknowns) {
-    const Estimate& estimate = fit.search.estimates[unknown];
-    if (!is_secondary(card, estimate.name) && estimate.identifiability == Identifiability::at_bound)
-      return estimate.name + " is at a bound of the search";
-  }
-  if (unknowns.empty() || is_well_determined(fit, k)) return {};
-  const ProfileInterval profile = profile_of_size(fit, k);
-  const double size = fit.search.estimates[unknowns[0]].value;
-  if (!profile.low_closed || !profile.high_closed)
-    return fmt::format("the data do not bound its size of {:.3g} within [{:.3g}, {:.3g}]", size,
-                       profile.low, profile.high);
-  if (!leaves_out_null(card, profile.low, profile.high))
-    return fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect", size,
-                       profile.low, profile.high);
-  return {};
 }
 
 }  // namespace rebound

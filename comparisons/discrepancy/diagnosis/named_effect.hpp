@@ -20,16 +20,16 @@ struct NamedEffect {
   std::vector<NumberWithInterval> parameters;
   std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
   std::string fem = "not-run";
+  /// Why these numbers cannot carry the name; empty where they can.
+  ///
+  /// A name needs a size whose interval leaves out the size at which the effect is absent, and
+  /// numbers that the data determine, off the bounds of the search: relaxation of 0.99 within
+  /// [0.003, 9.8] is an effect that explains the data, not one that was measured.
+  std::string weak;
 };
 
-/// Effect k of a fit with its numbers.
+/// Effect k of a fit with its numbers. Where the linearised interval of its size says nothing, as
+/// for two numbers that trade against each other, it is the likelihood-ratio one.
 NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
-
-/// Why the numbers of effect k cannot carry its name; empty where they can.
-///
-/// A name needs a size whose interval leaves out the size at which the effect is absent, and
-/// numbers that the data determine, off the bounds of the search: relaxation of 0.99 within
-/// [0.003, 9.8] is an effect that explains the data, not one that was measured.
-std::string weak_number_of(const HypothesisFit& fit, std::size_t k);
 
 }  // namespace rebound

@@ -13,19 +13,26 @@
 namespace rebound {
 namespace {
 
-constexpr double clearly_in_contact = 0.1;  // of the peak: above any noise that allows a diagnosis
+// Of the peak: above any noise that allows a diagnosis, and a higher level to see the slope by.
+constexpr double clearly_in_contact = 0.1, well_in_contact = 0.3;
 // A contact; fewer where shots are many: a shape takes a hundred, and noise is averaged with it.
 constexpr std::size_t most_samples = 600, fewest_samples = 150, most_samples_in_all = 6000;
 constexpr double worth_a_warning = 0.3;   // rounding over noise: 5 % of its deviation
 constexpr std::size_t fewest_quiet = 20;  // samples before contact that make a scatter
 
-/// From a little before first touch to a little after separation. The threshold is a share of
-/// the peak, not contact_threshold(): the noise is often known only from what lies outside.
+/// From before first touch to after separation. The threshold is a share of the peak, not
+/// contact_threshold(): the noise is often known only from what lies outside.
+///
+/// A force that grows as t^p, p ≤ 2, is nothing 1.5 times as long before the lower level as it
+/// takes from there to the higher one; a share of the contact would be too little for a plate that
+/// gives way or a ball with a soft skin, whose onset would pass for noise.
 SampleRange window_of(const std::vector<double>& force) {
-  const double level = clearly_in_contact * *std::max_element(force.begin(), force.end());
-  const SampleRange contact = contact_window(force, level);
-  // A pulse takes less than this share of its length from nothing to the level.
-  return widened(contact, (contact.count() - 1) / 10, force.size());
+  const double peak = *std::max_element(force.begin(), force.end());
+  const SampleRange low = contact_window(force, clearly_in_contact * peak);
+  const SampleRange high = contact_window(force, well_in_contact * peak);
+  const auto beyond = [](std::size_t samples) { return samples + (samples + 1) / 2; };
+  const std::size_t before = beyond(high.first - low.first), after = beyond(low.last - high.last);
+  return {low.first - std::min(low.first, before), std::min(low.last + after, force.size() - 1)};
 }
 
 /// Means over blocks of neighbouring samples.
@@ -78,8 +85,16 @@ Record prepare_record(std::size_t index, std::size_t samples, Observations& seen
   return record;
 }
 
-/// Colour of the noise of all records of a data set, and its size where what they scatter by
-/// contradicts what is stated; the scatter of each shot alone where nothing is stated.
+/// Does the scatter of the quiet contradict a stated deviation?
+bool contradicts(const EstimatedNoise& noise, double stated, double independent) {
+  // Three standard errors of the scatter, and no less than a fifth.
+  const double slack = std::max(0.2, 3.0 / std::sqrt(2.0 * independent));
+  return std::abs(std::log(noise.deviation / stated)) > slack;
+}
+
+/// Colour of the noise of all records of a data set, and its size where it has a colour, or where
+/// what they scatter by contradicts what is stated; the scatter of each shot alone where nothing is
+/// stated. The size that belongs to a colour is the one that was found with it.
 void settle_noise(const std::string& dataset, const std::vector<Record>& records,
                   Observations& seen) {
   std::vector<std::span<const double>> stretches;
@@ -91,27 +106,27 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
     seen.warnings.push_back(dataset +
                             ": too few samples before contact to check the noise; it is taken as "
                             "white and of the stated size");
+  const bool coloured = enough && !noise.autocorrelation.empty();
   const double independent =
       std::max(2.0, noise.samples * effective_share_of_variance(noise.autocorrelation));
-  bool estimated = enough && !noise.autocorrelation.empty();
+  bool estimated = coloured;
   for (const Record& record : records) {
     MeasuredImpact& shot = seen.shots[record.shot];
     const double stated = shot.noise.deviation;
     if (enough) shot.noise.autocorrelation = noise.autocorrelation;
     if (stated > 0.0) {
       seen.noise_from = "stated by the data set";
-      if (!enough) continue;
-      // Three standard errors of the scatter, and no less than a fifth.
-      const double slack = std::max(0.2, 3.0 / std::sqrt(2.0 * independent));
-      if (std::abs(std::log(noise.deviation / stated)) <= slack) continue;
-      if (&record == &records.front())
+      const bool wrong = enough && contradicts(noise, stated, independent);
+      if (wrong && &record == &records.front())
         seen.warnings.push_back(fmt::format(
             "{}: the force scatters by {:.3g} N before contact, where {:.3g} N are stated; the "
             "scatter is taken",
             dataset, noise.deviation, stated));
+      if (!wrong && !coloured) continue;
       shot.noise.deviation = noise.deviation;
       estimated = true;
-      seen.noise_from = "scatter of the force before contact, which contradicts what is stated";
+      seen.noise_from = "scatter of the force before contact";
+      if (wrong) seen.noise_from += ", which contradicts what is stated";
     } else if (enough) {
       shot.noise.deviation = std::max(noise.deviation, record.rounding);
       seen.noise_from = "scatter of the force before contact";
@@ -123,8 +138,11 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
       estimated = true;
     }
   }
-  if (estimated) seen.noise_freedom += independent;
-  if (enough && !noise.autocorrelation.empty())
+  // What is compared is the part of each sample that its neighbours do not tell.
+  if (estimated)
+    seen.noise_freedom +=
+        std::max(2.0, noise.samples - static_cast<double>(noise.autocorrelation.size()) - 2.0);
+  if (coloured)
     seen.noise_from += fmt::format(
         "; neighbouring samples are alike (correlation {:.2g}), autoregressive of order {}",
         noise.autocorrelation.front(), noise.autocorrelation.size());

@@ -22,14 +22,22 @@ struct EffectSelection {
   bool explains() const { return baseline.adequate || !indistinguishable.empty(); }
 };
 
+/// Adequate, within reach of the best adequate one by either criterion (χ² + k ln N, χ² + 2 k), and
+/// without a smaller adequate set inside or one with a formula in place of a free curve: indices
+/// into `tried`.
+std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
+                                                  double reach);
+
 /// Looks for the smallest sets of effects that explain what the baseline does not.
 ///
 ///   1 first-order score of every effect on the baseline's residuals
-///   2 the best single effects fitted in full, jointly over all shots
-///   3 where none is adequate: the families, each by its free form
-///   4 where none is adequate: sets of two and of three, each from the best of one less;
+///   2 the best single effects, and every family by its free form, fitted jointly over all shots
+///   3 where none is adequate: sets of two and of three, each from the best of one less;
 ///     what an adequate set of three does not need is taken out again
-///   5 every adequate and minimal set within 6 of the best criterion is indistinguishable
+///   4 every adequate and minimal set within 6 of the best criterion is indistinguishable
+///
+/// A gap that noise makes once in fifty data sets, and that no effect explains by as much as one
+/// candidate must be better than another, is noise: the baseline stands.
 ///
 /// An empty `indistinguishable` with an inadequate baseline means: not explained by
 /// anything in the list.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rebound {
 namespace {
@@ -34,14 +35,21 @@ EffectFamily common_family(const std::vector<std::vector<std::string>>& candidat
   return same ? first : EffectFamily::none;
 }
 
+/// What a candidate adds to the believed model, with numbers and intervals.
+std::vector<NamedEffect> additions(const Diagnosis& d, const HypothesisFit& fit) {
+  std::vector<NamedEffect> effects;
+  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
+    effects.push_back(named_effect(fit, k));
+  return effects;
+}
+
 /// Why a single candidate carries no name; empty where it does.
-std::string why_no_name(const Diagnosis& d, const HypothesisFit& fit) {
-  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
-    if (find_effect(fit.effects[k].name).card.is_free_form)
+std::string why_no_name(const std::vector<NamedEffect>& effects) {
+  for (const NamedEffect& one : effects)
+    if (find_effect(one.effect.name).card.is_free_form)
       return "no formula of the list does as well as a free curve";
-  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
-    if (const std::string why = weak_number_of(fit, k); !why.empty())
-      return fmt::format("{}: {}", fit.effects[k].name, why);
+  for (const NamedEffect& one : effects)
+    if (!one.weak.empty()) return fmt::format("{}: {}", one.effect.name, one.weak);
   return {};
 }
 
@@ -60,15 +68,17 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   const bool only_measurement = std::all_of(
       d.candidates.begin(), d.candidates.end(),
       [](const auto& names) { return std::all_of(names.begin(), names.end(), is_measurement); });
-  if (fits.size() == 1) {
-    d.withheld = why_no_name(d, *fits.front());
+  const std::vector<std::string>& first = d.candidates.front();
+  if (std::any_of(first.begin(), first.end(), in_all)) {
+    const std::vector<NamedEffect> effects = additions(d, *fits.front());
+    if (fits.size() == 1) d.withheld = why_no_name(effects);
+    if (d.withheld.empty())
+      std::copy_if(effects.begin(), effects.end(), std::back_inserter(d.effects),
+                   [&](const NamedEffect& one) { return in_all(one.effect.name); });
+  }
+  if (fits.size() == 1)
     for (std::size_t k = d.believed_effects; k < fits.front()->effects.size(); ++k)
       for (FactorBand& band : bands_of(*fits.front(), k)) d.curves.push_back(std::move(band));
-  }
-  if (d.withheld.empty())
-    for (std::size_t k = d.believed_effects; k < fits.front()->effects.size(); ++k)
-      if (in_all(fits.front()->effects[k].name))
-        d.effects.push_back(named_effect(*fits.front(), k));
   if (only_measurement) {
     d.verdict = DiagnosisVerdict::measurement_fault;
     for (const auto* fit : fits)
@@ -101,7 +111,7 @@ void drop_sets_with_idle_members(Diagnosis& d) {
   auto& candidates = d.selection.indistinguishable;
   const auto idle = [&](std::size_t i) {
     const HypothesisFit& fit = d.selection.tried[i].fit;
-    return added_effects(d, fit).size() > 1 && !why_no_name(d, fit).empty();
+    return added_effects(d, fit).size() > 1 && !why_no_name(additions(d, fit)).empty();
   };
   if (std::all_of(candidates.begin(), candidates.end(), idle)) return;
   std::erase_if(candidates, idle);
@@ -169,8 +179,7 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
   if (!d.selection.explains()) {
     d.verdict =
         d.needed.empty() ? DiagnosisVerdict::unexplained : DiagnosisVerdict::insufficient_data;
-    for (std::size_t k = d.believed_effects; k < d.best().effects.size(); ++k)
-      d.effects.push_back(named_effect(d.best(), k));
+    d.effects = additions(d, d.best());
   } else if (d.extended()) {
     conclude_from_candidates(d, rules);
   } else {

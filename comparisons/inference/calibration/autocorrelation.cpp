@@ -12,18 +12,33 @@ constexpr std::size_t samples_per_lag = 8;  // at least: a lag is a number to be
 constexpr std::size_t longest_lag = 400;    // beyond it nothing is correlated
 constexpr double white_share = 1e-3;        // of the variance
 
-/// What is left of a stretch without its straight line.
-std::vector<double> without_line(std::span<const double> stretch) {
-  const auto count = static_cast<double>(stretch.size());
-  const double middle = 0.5 * (count - 1.0), squares = count * (count * count - 1.0) / 12.0;
-  double mean = 0.0, slope = 0.0;
-  for (std::size_t i = 0; i < stretch.size(); ++i) {
-    mean += stretch[i] / count;
-    slope += (static_cast<double>(i) - middle) * stretch[i] / squares;
+/// Stretches without the one straight line, from the start of each, that fits them all best.
+///
+/// A line of its own for each would take the slow part of the noise with it, which is the part that
+/// passes for an effect.
+std::vector<std::vector<double>> without_common_line(
+    const std::vector<std::span<const double>>& stretches) {
+  double count = 0.0, places = 0.0, values = 0.0;
+  for (const auto& stretch : stretches)
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      count += 1.0;
+      places += static_cast<double>(i);
+      values += stretch[i];
+    }
+  const double middle = places / count, mean = values / count;
+  double squares = 0.0, products = 0.0;
+  for (const auto& stretch : stretches)
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      const double place = static_cast<double>(i) - middle;
+      squares += place * place;
+      products += place * (stretch[i] - mean);
+    }
+  std::vector<std::vector<double>> left;
+  for (const auto& stretch : stretches) {
+    std::vector<double>& one = left.emplace_back();
+    for (std::size_t i = 0; i < stretch.size(); ++i)
+      one.push_back(stretch[i] - mean - products / squares * (static_cast<double>(i) - middle));
   }
-  std::vector<double> left;
-  for (std::size_t i = 0; i < stretch.size(); ++i)
-    left.push_back(stretch[i] - mean - slope * (static_cast<double>(i) - middle));
   return left;
 }
 
@@ -57,22 +72,22 @@ LinearPredictors linear_predictors(const std::vector<double>& autocorrelation) {
 }
 
 EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches) {
-  std::vector<std::vector<double>> centred;
+  std::vector<std::span<const double>> long_enough;
   EstimatedNoise noise;
   double largest = 0.0;
   for (const auto& stretch : stretches) {
     if (stretch.size() < fewest_samples) continue;
-    centred.push_back(without_line(stretch));
+    long_enough.push_back(stretch);
     noise.samples += static_cast<int>(stretch.size());
     for (const double value : stretch) largest = std::max(largest, std::abs(value));
   }
-  if (centred.empty()) return noise;
+  if (long_enough.empty()) return noise;
+  const std::vector<std::vector<double>> centred = without_common_line(long_enough);
   const double variance = covariance_at(centred, 0);
   constexpr double rounding = 1e-14;  // of the readings themselves
   if (!(variance > rounding * rounding * largest * largest)) return noise;
   const auto count = static_cast<double>(noise.samples);
-  noise.deviation =
-      std::sqrt(variance * count / (count - 2.0 * static_cast<double>(centred.size())));
+  noise.deviation = std::sqrt(variance * count / (count - 2.0));
 
   const std::size_t lags =
       std::min(most_lags, static_cast<std::size_t>(noise.samples) / samples_per_lag);
@@ -90,6 +105,11 @@ EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretc
       order = m;
     }
   }
+  // Noise that varies slowly makes false gaps where it is taken as white; noise that alternates
+  // from sample to sample only costs power, and is rare: it has to be plain.
+  constexpr double plain = 6.0;
+  const std::vector<double> found(correlation.begin(), correlation.begin() + std::ptrdiff_t(order));
+  if (effective_share(found) > 1.0 && best > -plain) order = 0;
   correlation.resize(order);
   noise.autocorrelation = std::move(correlation);
   return noise;

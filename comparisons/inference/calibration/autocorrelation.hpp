@@ -28,8 +28,9 @@ struct EstimatedNoise {
   std::vector<double> autocorrelation;
 };
 
-/// Standard deviation and colour of noise from stretches of it, a straight line taken out of
-/// each: an offset and a drift are faults of their own, and no noise.
+/// Standard deviation and colour of noise from stretches of it, one straight line taken out of
+/// them all: an offset and a drift from the start of the records are faults of their own, and no
+/// noise.
 ///
 /// The order p of the autoregressive model has the least n ln v_p + p ln n. The autocorrelation is
 /// cut by a thousandth, as if as much white noise were beside it: noise without any power at

@@ -81,7 +81,9 @@ bool CalibrationCost::difference(std::vector<double>& y, std::size_t j,
     if (!found) edge_[j] = true;
     return found;
   };
-  const bool has_above = side(here + step, above), has_below = side(here - step, below);
+  const bool has_above = side(here + step, above);
+  const bool enough = has_above && problem_.controls.differences == Differences::one_sided;
+  const bool has_below = !enough && side(here - step, below);
   if (!has_above && !has_below) return false;
   const auto& high = has_above ? above : centre;
   const auto& low = has_below ? below : centre;

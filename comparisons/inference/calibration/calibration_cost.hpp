@@ -13,8 +13,8 @@ namespace rebound {
 /// y = x / scale.
 ///
 /// The Jacobian is the model's own where it has one; then residuals come with it and are
-/// kept, since a point that is accepted is asked for both. Otherwise central differences,
-/// one-sided where a bound is nearer than a step or where
+/// kept, since a point that is accepted is asked for both. Otherwise differences as the controls
+/// ask, one-sided in any case where a bound is nearer than a step or where
 /// the model has no answer on one side. Ceres' own numeric derivatives step
 /// relative to the value, which fails at zero and does not respect bounds.
 class CalibrationCost final : public ceres::CostFunction {

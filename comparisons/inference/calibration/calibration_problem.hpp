@@ -69,11 +69,16 @@ constexpr auto names_of(Profiles) {
   return names_list<Profiles>({{"none", Profiles::skipped}, {"all", Profiles::each_parameter}});
 }
 
+/// Differences of a model without derivatives of its own: to both sides, or, at half the price and
+/// with an error of the first order in the step, to one.
+enum class Differences { central, one_sided };
+
 struct CalibrationControls {
   /// Differences are taken at this times the parameter's scale. The default
   /// suits models that are smooth to 1e-9; a model with discretisation ripple
   /// wants 1e-2 or so.
   double relative_step = 1e-4;
+  Differences differences = Differences::central;
   /// The search ends when an iteration changes the cost by less than this
   /// share, or is below its square times the first one. A model with
   /// discretisation ripple wants 1e-3 or so.

@@ -18,8 +18,8 @@ namespace {
 class Held {
  public:
   Held(const CalibrationProblem& problem, std::size_t held, std::vector<double> start)
-      : whole_(problem), held_(held), rest_(std::move(start)) {
-    rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(held));
+      : whole_(problem), held_(held), start_(std::move(start)) {
+    start_.erase(start_.begin() + static_cast<std::ptrdiff_t>(held));
     inner_ = problem;
     inner_.parameters.erase(inner_.parameters.begin() + static_cast<std::ptrdiff_t>(held));
     inner_.residuals = [this](const std::vector<double>& x) { return whole_.residuals(with(x)); };
@@ -31,26 +31,34 @@ class Held {
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
 
-  /// Least cost with the parameter at `value`, from where the last one was
-  /// found; infinite where the model has no answer.
-  double cost_at(double value, const RunControl& control) {
+  /// A value that is held, the least cost with it, and where the others stand then.
+  struct Point {
+    double value = 0.0;
+    double cost = 0.0;  ///< infinite where the model has no answer
+    std::vector<double> others;
+  };
+  Point start(double value, double cost) const { return {value, cost, start_}; }
+
+  /// Least cost with the parameter at `value`, the others searched from where they stand at `near`.
+  Point point_at(double value, const Point& near, const RunControl& control) {
     value_ = value;
+    Point point{value, std::numeric_limits<double>::infinity(), near.others};
     try {
-      const std::vector<double> r = inner_.residuals(rest_);
-      if (rest_.empty()) return half_square(r);
+      const std::vector<double> r = inner_.residuals(point.others);
+      if (point.others.empty()) return {value, half_square(r), {}};
       CalibrationCost cost(inner_, static_cast<int>(r.size()));
-      std::vector<double> y = rest_;
+      std::vector<double> y = point.others;
       for (std::size_t i = 0; i < y.size(); ++i) y[i] /= inner_.parameters[i].scale;
       const Attempt found = search_from(std::move(y), inner_, cost, control);
       if (found.interrupted)
         throw Error(ExitCode::interrupted, "the calibration was interrupted before it ended");
-      for (std::size_t i = 0; i < rest_.size(); ++i)
-        rest_[i] = found.y[i] * inner_.parameters[i].scale;
-      return found.cost;
+      for (std::size_t i = 0; i < point.others.size(); ++i)
+        point.others[i] = found.y[i] * inner_.parameters[i].scale;
+      point.cost = found.cost;
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
-      return std::numeric_limits<double>::infinity();
     }
+    return point;
   }
 
  private:
@@ -77,13 +85,10 @@ class Held {
   CalibrationProblem inner_;
   std::size_t held_;
   double value_ = 0.0;
-  std::vector<double> rest_;
+  std::vector<double> start_;  ///< the others at the optimum
 };
 
-struct Point {
-  double value = 0.0;
-  double cost = 0.0;
-};
+using Point = Held::Point;
 
 /// One side of the profile.
 struct Side {
@@ -91,47 +96,88 @@ struct Side {
   std::vector<Point> points;
 };
 
-Side walk(Held& held, const Point& best, double step, double bound, double allowed,
-          const RunControl& control) {
-  const double wanted = std::sqrt(allowed);
-  const double tolerance = 1e-3 * wanted;
-  Side side;
-  double inside = best.value, inside_root = 0.0, outside = bound, outside_root = -1.0;
-  double at = best.value + step;
-  for (int i = 0; i < 40; ++i) {
-    const bool beyond = step > 0.0 ? at >= bound : at <= bound;
-    if (beyond) at = bound;
-    const double cost = held.cost_at(at, control);
-    if (std::isfinite(cost)) side.points.push_back({at, cost});
-    const double root = std::sqrt(std::max(0.0, 2.0 * (cost - best.cost)));
-    if (std::abs(root - wanted) <= tolerance) {
-      side.crossing = at;
-      return side;
+/// Outwards from the optimum until the cost has risen by what is allowed.
+///
+/// Every search starts from the farthest point inside: one beyond may have left the valley that the
+/// others follow. A valley that bends is lost by a long step too, so that a crossing is believed
+/// only when its outer end, searched again from beside it, is still outside.
+class Walk {
+ public:
+  Walk(Held& held, const Point& best, double bound, double allowed, const RunControl& control)
+      : held_(held),
+        best_(best),
+        bound_(bound),
+        wanted_(std::sqrt(allowed)),
+        control_(control),
+        inside_(best) {}
+
+  Side from_step(double step) {
+    double at = best_.value + step;
+    for (int i = 0; i < most_searches; ++i) {
+      const bool beyond = step > 0.0 ? at >= bound_ : at <= bound_;
+      const Point point = search(beyond ? bound_ : at);
+      const double root = root_of(point);
+      if (std::abs(root - wanted_) <= 1e-3 * wanted_) return finished(point.value);
+      if (root < wanted_) {
+        if (beyond) return side_;
+        inside_ = point;
+      } else {
+        outside_ = point;
+      }
+      if (outside_ && std::abs(outside_->value - inside_.value) <= close_) {
+        const Point again = search(outside_->value);
+        if (root_of(again) >= wanted_) return finished(crossing());
+        inside_ = again;
+        outside_.reset();
+      }
+      at = next();
     }
-    if (root < wanted) {
-      if (beyond) return side;
-      inside = at;
-      inside_root = root;
-    } else {
-      outside = at;
-      outside_root = root;
-    }
-    if (outside_root < 0.0) {  // outwards, at most doubling the distance twice
-      const double slope = inside_root / (inside - best.value);
-      const double reach = slope == 0.0 ? 4.0 * (inside - best.value) : wanted / slope;
-      const double limit = 4.0 * (inside - best.value);
-      at = best.value + (std::abs(reach) < std::abs(limit) ? 1.05 * reach : limit);
-    } else if (!std::isfinite(outside_root)) {
-      at = 0.5 * (inside + outside);
-    } else {
-      const double share = (wanted - inside_root) / (outside_root - inside_root);
-      at = inside + std::clamp(share, 0.05, 0.95) * (outside - inside);
-    }
-    if (std::abs(outside - inside) < 1e-9 * std::abs(bound - best.value)) break;
+    if (outside_) return finished(crossing());
+    return side_;
   }
-  if (outside_root >= 0.0) side.crossing = 0.5 * (inside + outside);
-  return side;
-}
+
+ private:
+  static constexpr int most_searches = 60;
+
+  Point search(double value) {
+    const Point point = held_.point_at(value, inside_, control_);
+    if (std::isfinite(point.cost)) side_.points.push_back(point);
+    return point;
+  }
+  double root_of(const Point& point) const {
+    return std::sqrt(std::max(0.0, 2.0 * (point.cost - best_.cost)));
+  }
+  Side finished(double crossing) {
+    side_.crossing = crossing;
+    return std::move(side_);
+  }
+  /// Where √(2 ΔC) meets what is allowed, by a secant of the two ends.
+  double crossing() const {
+    const double low = root_of(inside_), high = root_of(*outside_);
+    if (!std::isfinite(high)) return 0.5 * (inside_.value + outside_->value);
+    return inside_.value + (wanted_ - low) / (high - low) * (outside_->value - inside_.value);
+  }
+  double next() {
+    close_ = 0.02 * std::abs(inside_.value - best_.value) + 1e-6 * std::abs(bound_ - best_.value);
+    if (outside_) {
+      const double width = outside_->value - inside_.value;
+      const double share = (crossing() - inside_.value) / width;
+      return inside_.value + std::clamp(share, 0.1, 0.9) * width;
+    }
+    const double far = inside_.value - best_.value, slope = root_of(inside_) / far;
+    const double reach = slope == 0.0 ? 4.0 * far : 1.05 * wanted_ / slope;
+    return best_.value + (std::abs(reach) < std::abs(4.0 * far) ? reach : 4.0 * far);
+  }
+
+  Held& held_;
+  const Point& best_;
+  double bound_, wanted_;
+  const RunControl& control_;
+  Point inside_;
+  std::optional<Point> outside_;
+  double close_ = 0.0;
+  Side side_;
+};
 
 }  // namespace
 
@@ -159,14 +205,14 @@ ProfileInterval profile_of(const CalibrationProblem& problem, const CalibrationR
   if (!(step > 0.0) || !std::isfinite(step)) step = 0.1 * card.scale;
   step = std::min(step, 0.5 * width);
 
-  const Point best{estimate.value, result.cost_after};
   ProfileInterval interval{.low = card.lowest, .high = card.highest};
-  std::vector<Point> points = {best};
+  std::vector<Point> points = {{estimate.value, result.cost_after, {}}};
   for (const double sign : {-1.0, 1.0}) {
     Held held(problem, parameter, optimum);
     const double bound = sign < 0.0 ? card.lowest : card.highest;
-    if (std::abs(bound - best.value) <= 1e-9 * width) continue;
-    const Side side = walk(held, best, sign * step, bound, allowed, control);
+    if (std::abs(bound - estimate.value) <= 1e-9 * width) continue;
+    const Point best = held.start(estimate.value, result.cost_after);
+    const Side side = Walk(held, best, bound, allowed, control).from_step(sign * step);
     points.insert(points.end(), side.points.begin(), side.points.end());
     if (!side.crossing) continue;
     (sign < 0.0 ? interval.low : interval.high) = *side.crossing;

@@ -55,6 +55,9 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
   options.function_tolerance = problem.controls.cost_tolerance;
   options.parameter_tolerance = 1e-10;
   options.num_threads = 1;
+  // Bounds make Ceres search along each step; with cubic interpolation it would ask for a whole
+  // Jacobian at every point of that line.
+  options.line_search_interpolation_type = ceres::QUADRATIC;
   ProgressCallback callback(control, problem.controls);
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;

@@ -31,7 +31,7 @@ struct Burst {
 
 /// How what happened differs from what is reported. At the defaults, not at all.
 ///
-///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered and drooping,
+///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered, late and drooping,
 ///               g gain error, b baseline, d drift, u time since first touch, L clipping level
 ///   time        (1 + s) u + trigger shift,                  s error of the time base
 ///   deflection  x + ½ a t², where it is a double integral, a integration drift
@@ -49,6 +49,8 @@ struct MeasurementChain {
   int platens = 0;                 ///< as believed in slow compressions: 1 or 2; 0: as it was
   double force_drift = 0.0;        ///< d [N/s]
   double droop = 0.0;              ///< 1/τ of a first-order high-pass [1/s]
+  double lag = 0.0;                ///< τ of a first-order low-pass [s]
+  double second_lag = 0.0;         ///< τ of another behind it [s]
   Hum hum;
   Burst burst;
   double time_base = 0.0;                                           ///< s [-]
@@ -63,6 +65,8 @@ struct MeasurementChain {
         Limit{&MeasurementChain::bandwidth, "bandwidth", "Hz", above(0.0), none},
         Limit{&MeasurementChain::force_drift, "force_drift", "N/s", any_number()},
         Limit{&MeasurementChain::droop, "droop", "1/s", at_least(0.0)},
+        Limit{&MeasurementChain::lag, "lag", "s", at_least(0.0)},
+        Limit{&MeasurementChain::second_lag, "second_lag", "s", at_least(0.0)},
         Limit{&MeasurementChain::time_base, "time_base", "", above(-1.0)},
         Limit{&MeasurementChain::clipping_level, "clipping_level", "N", above(0.0), none}};
   }

@@ -6,6 +6,7 @@
 #include "comparisons/models/instrument/butterworth.hpp"
 #include "comparisons/models/instrument/disturbance.hpp"
 #include "comparisons/models/instrument/droop.hpp"
+#include "comparisons/models/instrument/lag.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -43,6 +44,8 @@ Trace passed_by_filters(const Trace& contact, const MeasurementChain& chain, dou
   constexpr double highest_share = 0.45;
   Trace passed = contact;
   if (chain.bandwidth < highest_share / step) passed = filtered(passed, chain.bandwidth, last);
+  for (const double lag : {chain.lag, chain.second_lag})
+    if (lag != 0.0) passed = with_lag(passed, lag, last);
   if (chain.droop != 0.0) passed = with_droop(passed, chain.droop, last);
   return passed;
 }
@@ -58,7 +61,8 @@ std::vector<double> reported_force(const Trace& contact, const MeasurementChain&
   const auto since_touch = [&](double t) {
     return (t - chain.trigger_shift) / (1.0 + chain.time_base);
   };
-  const bool ideal = std::isinf(chain.bandwidth) && chain.droop == 0.0;
+  const bool ideal = std::isinf(chain.bandwidth) && chain.droop == 0.0 && chain.lag == 0.0 &&
+                     chain.second_lag == 0.0;
   const Trace passed =
       ideal ? Trace{} : passed_by_filters(contact, chain, since_touch(time.back()));
   const Trace& source = ideal ? contact : passed;

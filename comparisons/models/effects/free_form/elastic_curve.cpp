@@ -11,8 +11,8 @@ Effect elastic_curve_effect() {
           "Elastic force times a curve over the deflection: the elastic family without a "
           "formula.",
       .equation =
-          "F_e [1 + g(x/R)], g smooth through its values at 0, 1/5 ... 1 of the reach; "
-          "the size is the last one",
+          "F_e [1 + g(x/R)], F_d [1 + c g(x/R)], g smooth through its values at 0, 1/5 ... 1 of "
+          "the reach; the size is the last one, c the share in which damping follows",
       .size_dimension = dimension::none,
       .range = curve_range(),
       .prior_scale = 0.1,
@@ -29,11 +29,22 @@ Effect elastic_curve_effect() {
                              .range = from_to(0.005, 1.0),
                              .default_value = 0.3,
                              .kind = ParameterKind::largest_deflection});
+  // Laws differ in it: Hunt and Crossley's damping grows with the elastic force, Tsuji's does not.
+  card.parameters.push_back({.name = "damping_share",
+                             .sentence = "Share in which the damping force follows the curve.",
+                             .dimension = dimension::none,
+                             .range = from_to(0.0, 1.0),
+                             .default_value = 0.5,
+                             .fitted = true,
+                             .kind = ParameterKind::linear,
+                             .scale = 0.3});
   return {.card = std::move(card),
           .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
             FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
             curve.value.back() = choice.size;
             problem.model.mechanisms.elastic.curve = curve;
+            for (double& value : curve.value) value *= choice.parameters.at("damping_share");
+            problem.model.mechanisms.damping.elastic_curve = curve;
           }};
 }
 

@@ -89,5 +89,26 @@ TEST(ProfileTest, WeakParametersAreToldWhatWouldHelp) {
   EXPECT_NE(found.verdict.find("weakly"), std::string::npos);
 }
 
+// A valley a b = 1 that is narrow and flat outside, as the tone of a ringing plate is: with b known
+// to half an octave, a = 1/b is as well, and no more. A search that starts outside the valley finds
+// no way back.
+TEST(ProfileTest, FollowsANarrowValleyThatBends) {
+  const double sigma = 0.5 * std::log(2.0);
+  CalibrationProblem problem;
+  problem.parameters = {
+      {.name = "a", .unit = "", .start = 1.0, .lowest = 0.0, .highest = 20.0},
+      {.name = "log b", .unit = "", .start = 0.0, .lowest = -5.0, .highest = 5.0}};
+  problem.residuals = [&](const std::vector<double>& x) {
+    return std::vector<double>{30.0 * std::tanh((std::log(x[0] + 1e-12) + x[1]) / 0.05),
+                               x[1] / sigma};
+  };
+  problem.noise = NoiseKnowledge::known;
+  const auto found = calibrate(problem);
+  const auto profile = profile_of(problem, found, 0, {});
+  ASSERT_TRUE(profile.low_closed && profile.high_closed);
+  EXPECT_NEAR(profile.low, std::exp(-1.959964 * sigma), 0.02);
+  EXPECT_NEAR(profile.high, std::exp(1.959964 * sigma), 0.05);
+}
+
 }  // namespace
 }  // namespace rebound

@@ -1,0 +1,195 @@
+#include "comparisons/discrepancy/diagnosis/effect_search.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "comparisons/discrepancy/diagnosis/free_forms.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+/// Searches per effect; the best of a grid first.
+constexpr std::size_t starts_per_effect = 2;
+
+/// A free form has many numbers; of all others, those of three and more are not simple.
+bool is_simple(const std::string& name) {
+  constexpr std::ptrdiff_t most_parameters = 1;
+  const auto& parameters = find_effect(name).card.parameters;
+  return std::count_if(parameters.begin(), parameters.end(), [](const EffectParameterCard& one) {
+           return one.fitted;
+         }) <= most_parameters;
+}
+
+/// A set holds one fault of the measurement at most, and none of three numbers or more: a burst
+/// or a hum beside an effect fits whatever the effect leaves.
+bool may_join(const std::string& name, const HypothesisFit& set) {
+  const auto fault = [](const EffectChoice& one) { return is_measurement(one.name); };
+  return !is_measurement(name) ||
+         (is_simple(name) && std::none_of(set.effects.begin(), set.effects.end(), fault));
+}
+
+bool may_grow(const HypothesisFit& set) {
+  return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
+    return !is_measurement(one.name) || is_simple(one.name);
+  });
+}
+
+}  // namespace
+
+EffectNames names_of(const std::vector<EffectChoice>& effects) {
+  EffectNames names;
+  for (const auto& effect : effects) names.insert(effect.name);
+  return names;
+}
+
+bool EffectSearch::singles() {
+  around_.look_for_starts();
+  const Ranked ranked = best_of_each_kind(ranking(around_, base().chi_square));
+  const std::vector<std::string> forms = free_forms(base().effects);
+  const auto starts_of = [&](std::size_t i) {
+    if (i < ranked.size()) return around_.starts(ranked[i].first, starts_per_effect);
+    return starts_of_free_form(find_effect(forms[i - ranked.size()]).card, seen_, base());
+  };
+  Fits fits = fit_all(ranked.size() + forms.size(), [&](std::size_t i) {
+    return fit_extended(seen_, base(), starts_of(i), SearchEffort::first_look, within());
+  });
+  finish(fits);
+  return found(fits);
+}
+
+bool EffectSearch::sets_of(std::size_t count) {
+  std::vector<Extension> all = extensions(count);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Extension& a, const Extension& b) { return a.expected < b.expected; });
+  if (std::ssize(all) > rules_.fitted_pairs)
+    all.resize(static_cast<std::size_t>(rules_.fitted_pairs));
+  const std::vector<AssessedFit> before = selection_.tried;
+  Fits fits = fit_all(all.size(), [&](std::size_t i) {
+    return fit_extended(seen_, before[all[i].from].fit, all[i].starts, SearchEffort::first_look,
+                        within());
+  });
+  finish(fits);
+  return found(fits);
+}
+
+bool EffectSearch::prune() {
+  std::vector<Hypothesis> smaller;
+  for (const std::size_t i : selection_.indistinguishable) {
+    const HypothesisFit& fit = selection_.tried[i].fit;
+    if (added(fit) < 3) continue;  // sets of one have been tried
+    for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
+      Hypothesis one = fit.hypothesis;
+      one.effects = fit.effects;
+      one.effects.erase(one.effects.begin() + static_cast<std::ptrdiff_t>(k));
+      if (!is_tried(names_of(one.effects))) smaller.push_back(std::move(one));
+    }
+  }
+  return found(fit_all(smaller.size(),
+                       [&](std::size_t i) { return fit_hypothesis(seen_, smaller[i], within()); }));
+}
+
+/// How far the χ² of a fit would fall with one effect more: to first order along the effect, or at
+/// the best point of its grid.
+EffectSearch::Ranked EffectSearch::ranking(const EffectSensitivities& around, double chi_square) {
+  Ranked ranked;
+  for (const EffectScore& score : around.scores())
+    ranked.emplace_back(
+        score.name, std::max(score.gain_chi_square, chi_square - around.best_probe(score.name)));
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  return ranked;
+}
+
+/// Faults of the measurement are many: they must not take all places from what is physical.
+EffectSearch::Ranked EffectSearch::best_of_each_kind(const Ranked& ranked) const {
+  Ranked best;
+  int physical = 0, faults = 0;
+  for (const auto& one : ranked) {
+    int& count = is_measurement(one.first) ? faults : physical;
+    const int most = is_measurement(one.first) ? rules_.fitted_faults : rules_.fitted_singles;
+    if (count++ < most) best.push_back(one);
+  }
+  return best;
+}
+
+std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count) const {
+  std::vector<Extension> all;
+  std::set<EffectNames> known;
+  constexpr std::size_t beam = 4;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < selection_.tried.size() && taken < beam; ++i) {
+    const HypothesisFit& smaller = selection_.tried[i].fit;
+    if (added(smaller) != count - 1 || !may_grow(smaller)) continue;
+    ++taken;
+    const EffectNames own = names_of(smaller.effects);
+    const EffectSensitivities near(seen_, smaller, absent_from(smaller, effects_));
+    for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
+      if (!may_join(name, smaller)) continue;
+      EffectNames set = own;
+      set.insert(name);
+      if (known.insert(set).second)
+        all.push_back(
+            {i, name, around_.starts(name, starts_per_effect), smaller.chi_square - gain});
+    }
+  }
+  return all;
+}
+
+bool EffectSearch::is_tried(const EffectNames& names) const {
+  return std::any_of(selection_.tried.begin(), selection_.tried.end(),
+                     [&](const auto& one) { return names_of(one.fit.effects) == names; });
+}
+
+/// Fits that are independent of each other; effects that cannot act here, or whose impacts end
+/// nowhere, drop out.
+EffectSearch::Fits EffectSearch::fit_all(
+    std::size_t count, const std::function<HypothesisFit(std::size_t)>& fit) const {
+  Fits results(count);
+  in_parallel(count, [&](std::size_t i) {
+    if (control_.interrupted && control_.interrupted())
+      throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
+    try {
+      results[i] = fit(i);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
+    }
+  });
+  return results;
+}
+
+void EffectSearch::finish(Fits& looked_at) const {
+  constexpr double within_reach = 3.0;  // times the best χ²; most stand a hundred times above
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& fit : looked_at)
+    if (fit) best = std::min(best, fit->chi_square);
+  for (const AssessedFit& one : selection_.tried) best = std::min(best, one.fit.chi_square);
+  std::vector<std::size_t> promising;
+  for (std::size_t i = 0; i < looked_at.size(); ++i)
+    if (looked_at[i] && looked_at[i]->chi_square <= within_reach * best) promising.push_back(i);
+  Fits finished = fit_all(promising.size(), [&](std::size_t i) {
+    return fit_further(seen_, *looked_at[promising[i]], within());
+  });
+  for (std::size_t i = 0; i < promising.size(); ++i)
+    if (finished[i]) looked_at[promising[i]] = std::move(finished[i]);
+}
+
+bool EffectSearch::found(const Fits& fits) {
+  std::vector<const HypothesisFit*> ended;
+  for (const auto& fit : fits)
+    if (fit) ended.push_back(&*fit);
+  std::vector<AssessedFit> assessed(ended.size());
+  in_parallel(ended.size(), [&](std::size_t i) {
+    assessed[i] = judge(seen_, *ended[i], effects_, rules_, seed_, Look::at_what_may_pass);
+  });
+  for (AssessedFit& one : assessed) selection_.tried.push_back(std::move(one));
+  std::stable_sort(selection_.tried.begin(), selection_.tried.end(),
+                   [](const AssessedFit& a, const AssessedFit& b) {
+                     return a.fit.information_criterion < b.fit.information_criterion;
+                   });
+  selection_.indistinguishable = indistinguishable_models(selection_.tried, rules_.close_criterion);
+  return !selection_.indistinguishable.empty();
+}
+
+}  // namespace rebound
