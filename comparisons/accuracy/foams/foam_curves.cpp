@@ -9,7 +9,7 @@
 namespace rebound {
 namespace {
 
-constexpr int points = 80;
+constexpr int curve_points = 80;
 constexpr double deepest = 0.8;  // compressive strain of a curve
 
 struct FoamCurve {
@@ -21,8 +21,8 @@ FoamCurve curve_of(const MaterialLaws& laws, const PublishedFoam& foam) {
   for (const StatedStress& stress : foam.stated.stresses) to = std::max(to, stress.strain_to + 0.1);
   to = std::min(to, deepest);
   FoamCurve curve;
-  for (int i = 0; i <= points; ++i) {
-    const double strain = to * i / points;
+  for (int i = 0; i <= curve_points; ++i) {
+    const double strain = to * i / curve_points;
     const UniaxialState state = laws.uniaxial(foam.material, {1.0 - strain}).front();
     curve.strain.push_back(strain);
     curve.stress.push_back(i == 0 ? 0.0 : -1e-3 * state.nominal_stress);

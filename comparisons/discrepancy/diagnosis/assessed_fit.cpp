@@ -1,9 +1,9 @@
 #include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <iterator>
+
+#include "comparisons/inference/calibration/distributions.hpp"
 
 namespace rebound {
 
@@ -12,11 +12,9 @@ namespace {
 /// Chance of as large a χ² or a larger one where nothing is missing. Where the noise itself was
 /// estimated, its own error counts: χ² over freedom is a ratio of variances then.
 double p_value_of(const HypothesisFit& fit, double noise_freedom) {
-  using boost::math::cdf, boost::math::complement;
   if (noise_freedom > 0.0)
-    return cdf(
-        complement(boost::math::fisher_f(fit.freedom, noise_freedom), fit.reduced_chi_square()));
-  return cdf(complement(boost::math::chi_squared(fit.freedom), fit.data_chi_square));
+    return fisher_chance_above(fit.freedom, noise_freedom, fit.reduced_chi_square());
+  return chi_squared_chance_above(fit.freedom, fit.data_chi_square);
 }
 
 }  // namespace

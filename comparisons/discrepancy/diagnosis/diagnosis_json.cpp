@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -154,29 +152,28 @@ std::string headline(const Diagnosis& d) {
 
 std::string to_text(const Diagnosis& d) {
   std::string text = "VERDICT   " + headline(d) + "\n";
-  const auto out = std::back_inserter(text);
-  if (d.seen) fmt::format_to(out, "noise     {}\n", d.seen->noise_from);
+  if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
   if (d.gap.before)
-    fmt::format_to(out, "gap       {} -> {} (noise 1)\n", text_of(d.gap.before),
-                   text_of(d.gap.after));
+    text +=
+        fmt::format("gap       {} -> {} (noise 1)\n", text_of(d.gap.before), text_of(d.gap.after));
   if (d.held_out_speed)
-    fmt::format_to(out, "unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
-                   text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+    text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
+                        text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
   for (const auto& cell : d.where) {
     if (&cell - d.where.data() >= 5) break;
-    fmt::format_to(out, "where     {:g} m/s, {}, {}: z = {:+.1f}\n",
-                   d.seen->shots[cell.shot].impact.speed, name_of(cell.phase), name_of(cell.what),
-                   cell.z);
+    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n",
+                        d.seen->shots[cell.shot].impact.speed, name_of(cell.phase),
+                        name_of(cell.what), cell.z);
   }
-  if (!d.withheld.empty()) fmt::format_to(out, "withheld  {}\n", d.withheld);
-  for (const auto& needed : d.needed) fmt::format_to(out, "needed    {}\n", needed);
+  if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);
+  for (const auto& needed : d.needed) text += fmt::format("needed    {}\n", needed);
   for (const auto& e : d.next)
-    fmt::format_to(out, "next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
-                   e.separates[1], e.probability);
+    text += fmt::format("next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
+                        e.separates[1], e.probability);
   for (const auto& e : d.excluded)
-    fmt::format_to(out, "excluded  {} above {:.3g} {}\n", e.name, e.size,
-                   or_one(size_unit(find_effect(e.name).card)));
-  for (const auto& warning : d.warnings) fmt::format_to(out, "warning   {}\n", warning);
+    text += fmt::format("excluded  {} above {:.3g} {}\n", e.name, e.size,
+                        or_one(size_unit(find_effect(e.name).card)));
+  for (const auto& warning : d.warnings) text += fmt::format("warning   {}\n", warning);
   return text;
 }
 

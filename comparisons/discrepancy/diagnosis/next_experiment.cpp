@@ -4,9 +4,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/problem/error.hpp"
@@ -104,7 +104,7 @@ std::vector<NextExperiment> next_experiments(const Observations& seen,
           experiments.push_back(
               {.what = proposal.what,
                .separates = {label_of(candidates[i]->effects), label_of(candidates[j]->effects)},
-               .probability = boost::math::cdf(boost::math::normal(), lead)});
+               .probability = normal_chance_below(lead)});
         } catch (const Error& error) {
           if (error.code() != ExitCode::solver_failed) throw;  // no such impact: no proposal
         }

@@ -80,7 +80,7 @@ TrialOutcome diagnose_trial(int number, const TrialRun& run, const RunControl& c
   return outcome;
 }
 
-Json number_or_null(const std::optional<double>& value) {
+Json value_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
@@ -91,18 +91,18 @@ std::optional<double> optional_number(const Json& json) {
 }  // namespace
 
 Json to_json(const TrialOutcome& outcome) {
-  return {{"schema", 1},
-          {"trial", outcome.trial},
-          {"verdict", outcome.verdict},
-          {"failure", outcome.failure},
-          {"family", outcome.family},
-          {"candidates", outcome.candidates},
-          {"named", outcome.named},
-          {"size", {outcome.size, outcome.size_low, outcome.size_high}},
-          {"held_out",
-           {number_or_null(outcome.held_out_before), number_or_null(outcome.held_out_after)}},
-          {"warnings", outcome.warnings},
-          {"seconds", outcome.seconds}};
+  return {
+      {"schema", 1},
+      {"trial", outcome.trial},
+      {"verdict", outcome.verdict},
+      {"failure", outcome.failure},
+      {"family", outcome.family},
+      {"candidates", outcome.candidates},
+      {"named", outcome.named},
+      {"size", {outcome.size, outcome.size_low, outcome.size_high}},
+      {"held_out", {value_or_null(outcome.held_out_before), value_or_null(outcome.held_out_after)}},
+      {"warnings", outcome.warnings},
+      {"seconds", outcome.seconds}};
 }
 
 TrialOutcome trial_outcome_from(const std::string& text, const std::string& file) {

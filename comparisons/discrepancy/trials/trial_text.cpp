@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace rebound {
@@ -129,15 +128,14 @@ Json to_json(const TrialScores& scores) {
 std::string to_text(const TrialScores& scores) {
   std::string text = fmt::format("{} trials; a diagnosis took {:.2g} s, at most {:.2g} s\n",
                                  scores.trials, scores.median_seconds, scores.longest_seconds);
-  const auto out = std::back_inserter(text);
   for (const TrialGate& gate : scores.gates) {
-    fmt::format_to(out, "{:<52}{:<36}{}{}\n", gate.what, share_text(gate.share), asked_text(gate),
-                   !gate.is_asked() ? "" : (gate.passes() ? "  met" : "  NOT MET"));
+    text += fmt::format("{:<52}{:<36}{}{}\n", gate.what, share_text(gate.share), asked_text(gate),
+                        !gate.is_asked() ? "" : (gate.passes() ? "  met" : "  NOT MET"));
   }
   text += "\nhidden: what was said\n";
   for (const auto& [row, cells] : scores.confusion) {
-    fmt::format_to(out, "  {:<16}", row);
-    for (const auto& [column, count] : cells) fmt::format_to(out, "{} {}  ", column, count);
+    text += fmt::format("  {:<16}", row);
+    for (const auto& [column, count] : cells) text += fmt::format("{} {}  ", column, count);
     text += "\n";
   }
   return text;

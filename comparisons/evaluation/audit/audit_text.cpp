@@ -5,7 +5,7 @@
 namespace rebound {
 namespace {
 
-Json or_null(const std::optional<double>& value) {
+Json error_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
@@ -31,10 +31,10 @@ Json to_json(const Audit& audit) {
     Json errors = Json::array();
     for (const auto& e : row.errors)
       errors.push_back({{"speed_m_s", e.speed},
-                        {"restitution", or_null(e.restitution)},
-                        {"contact_time", or_null(e.contact_time)},
-                        {"peak_force", or_null(e.peak_force)},
-                        {"peak_deflection", or_null(e.peak_deflection)}});
+                        {"restitution", error_or_null(e.restitution)},
+                        {"contact_time", error_or_null(e.contact_time)},
+                        {"peak_force", error_or_null(e.peak_force)},
+                        {"peak_deflection", error_or_null(e.peak_deflection)}});
     rows.push_back({{"id", row.id},
                     {"assumption", row.assumption},
                     {"number", row.number},

@@ -1,8 +1,8 @@
 #include "comparisons/evaluation/drop_test/fem_drop.hpp"
 
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/inference/calibration/material_numbers.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -59,15 +59,14 @@ void carry(const FemProblem& problem, const ParameterUncertainty& u, const FemRu
   if (!std::isfinite(variance))
     throw Error(ExitCode::bad_input, "a standard error of the calibration is not finite");
   const double deviation = std::sqrt(std::max(variance, 0.0));
-  const boost::math::normal standard;
-  const double z = boost::math::quantile(standard, 0.5 * (1.0 + options.confidence));
+  const double z = normal_quantile(0.5 * (1.0 + options.confidence));
   outcome.interval = {outcome.restitution - z * deviation, outcome.restitution + z * deviation};
   outcome.notes.emplace_back("the interval carries the material's uncertainty to first order");
   if (deviation == 0.0) return;
   const Regulation band;
   outcome.probability_inside =
-      boost::math::cdf(standard, (band.highest - outcome.restitution) / deviation) -
-      boost::math::cdf(standard, (band.lowest - outcome.restitution) / deviation);
+      normal_chance_below((band.highest - outcome.restitution) / deviation) -
+      normal_chance_below((band.lowest - outcome.restitution) / deviation);
 }
 
 }  // namespace

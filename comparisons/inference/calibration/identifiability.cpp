@@ -4,10 +4,10 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "comparisons/inference/calibration/distributions.hpp"
 
 namespace rebound {
 
@@ -29,9 +29,8 @@ double lag_one(const Eigen::VectorXd& r) {
 
 double quantile(const CalibrationProblem& problem, double freedom) {
   const double upper = 0.5 * (1.0 + problem.controls.confidence);
-  if (problem.noise == NoiseKnowledge::known)
-    return boost::math::quantile(boost::math::normal(), upper);
-  return boost::math::quantile(boost::math::students_t(freedom), upper);
+  if (problem.noise == NoiseKnowledge::known) return normal_quantile(upper);
+  return student_quantile(freedom, upper);
 }
 
 std::string names_of(const CalibrationProblem& problem, const std::vector<bool>& member) {

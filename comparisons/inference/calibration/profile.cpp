@@ -1,12 +1,11 @@
 #include "comparisons/inference/calibration/profile.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/inference/calibration/search.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -184,12 +183,10 @@ class Walk {
 double allowed_cost_increase(const CalibrationProblem& problem, const CalibrationResult& result,
                              std::size_t residuals) {
   const double level = problem.controls.confidence;
-  if (problem.noise == NoiseKnowledge::known)
-    return boost::math::quantile(boost::math::chi_squared(1.0), level);
+  if (problem.noise == NoiseKnowledge::known) return chi_squared_quantile(1.0, level);
   const double freedom = std::max(
       1.0, static_cast<double>(residuals) - static_cast<double>(problem.parameters.size()));
-  return 2.0 * result.cost_after / freedom *
-         boost::math::quantile(boost::math::fisher_f(1.0, freedom), level);
+  return 2.0 * result.cost_after / freedom * fisher_quantile(1.0, freedom, level);
 }
 
 ProfileInterval profile_of(const CalibrationProblem& problem, const CalibrationResult& result,

@@ -9,7 +9,7 @@
 namespace rebound {
 namespace {
 
-bool same_speed(double a, double b) {
+bool equal_speeds(double a, double b) {
   return std::abs(a - b) <= 1e-6 * b;
 }
 
@@ -17,7 +17,7 @@ std::vector<double> speeds_of(const std::vector<MeasuredImpact>& references) {
   std::vector<double> speeds;
   for (const auto& r : references) {
     const double v = r.impact.speed;
-    if (std::none_of(speeds.begin(), speeds.end(), [&](double s) { return same_speed(s, v); }))
+    if (std::none_of(speeds.begin(), speeds.end(), [&](double s) { return equal_speeds(s, v); }))
       speeds.push_back(v);
   }
   return speeds;
@@ -29,7 +29,7 @@ LeftOut predicted(const Candidate& candidate, const std::vector<MeasuredImpact>&
   std::vector<MeasuredImpact> others;
   std::vector<MeasuredImpact> held;
   for (const auto& r : references) {
-    if (same_speed(r.impact.speed, speed))
+    if (equal_speeds(r.impact.speed, speed))
       held.push_back(r);
     else
       others.push_back(r);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "lumped/problem/error.hpp"
 
@@ -14,12 +13,11 @@ std::string trace_csv(const Trace& trace) {
   std::string text = has_deflection ? "time_s,force_N,deflection_m" : "time_s,force_N";
   for (const TraceColumn& column : trace.further) text += "," + column.name;
   text += "\n";
-  auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < trace.time.size(); ++i) {
-    fmt::format_to(out, "{:.17g},{:.17g}", trace.time[i], trace.force[i]);
-    if (has_deflection) fmt::format_to(out, ",{:.17g}", trace.deflection[i]);
+    text += fmt::format("{:.17g},{:.17g}", trace.time[i], trace.force[i]);
+    if (has_deflection) text += fmt::format(",{:.17g}", trace.deflection[i]);
     for (const TraceColumn& column : trace.further)
-      fmt::format_to(out, ",{:.17g}", column.values[i]);
+      text += fmt::format(",{:.17g}", column.values[i]);
     text += "\n";
   }
   return text;
@@ -62,11 +60,10 @@ std::string curve_csv(const CompressionCurve& curve) {
   const bool timed = !curve.time.empty();
   std::string text = timed ? "time_s," : "";
   text += "deflection_m,force_N,contact_radius_m,stored_J,work_J\n";
-  auto out = std::back_inserter(text);
   for (std::size_t i = 0; i < curve.force.size(); ++i) {
-    if (timed) fmt::format_to(out, "{:.17g},", curve.time[i]);
-    fmt::format_to(out, "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.deflection[i],
-                   curve.force[i], curve.contact_radius[i], curve.stored[i], curve.work[i]);
+    if (timed) text += fmt::format("{:.17g},", curve.time[i]);
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.deflection[i],
+                        curve.force[i], curve.contact_radius[i], curve.stored[i], curve.work[i]);
   }
   return text;
 }
