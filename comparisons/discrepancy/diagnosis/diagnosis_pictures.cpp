@@ -63,6 +63,13 @@ report::Figure history_figure(const MeasuredImpact& shot, const std::string& tit
   return figure;
 }
 
+/// What a curve depends on, as an axis says it.
+report::Axis axis_of(const FactorBand& band) {
+  if (band.of == "rate_m_s") return {"rate of deflection", "m/s"};
+  if (band.of == "deflection_over_radius") return {"deflection over radius", "1"};
+  return {"deflection over the largest one so far", "1"};
+}
+
 }  // namespace
 
 report::Matrix map_matrix(const Diagnosis& d) {
@@ -131,6 +138,36 @@ report::Matrix cosine_matrix(const Diagnosis& d) {
     matrix.rows.push_back(row);
   }
   return matrix;
+}
+
+report::Figure curve_figure(const FactorBand& band) {
+  report::Figure figure{.title = "The missing factor over " + axis_of(band).quantity,
+                        .caption =
+                            "What the force of the believed model has to be multiplied by: 1 is "
+                            "nothing missing. The points are fitted, with their 95 % band; the "
+                            "extended model goes smoothly through them.",
+                        .x = axis_of(band),
+                        .y = {"factor", "1"},
+                        .series = {}};
+  Series curve{.name = "fitted curve",
+               .origin = Origin::fitted,
+               .x = band.x,
+               .y = band.factor,
+               .x_error = {},
+               .y_error = {},
+               .y_low = band.low,
+               .y_high = band.high};
+  Series nothing{.name = "nothing missing",
+                 .origin = Origin::predicted,
+                 .role = Series::Role::reference,
+                 .x = band.x,
+                 .y = std::vector<double>(band.x.size(), 1.0),
+                 .x_error = {},
+                 .y_error = {},
+                 .y_low = {},
+                 .y_high = {}};
+  figure.series = {std::move(nothing), std::move(curve)};
+  return figure;
 }
 
 void add_pictures(const Diagnosis& d, report::Section& section) {

@@ -143,6 +143,8 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
                           .folding = report::Section::Folding::folded,
                           .blocks = {}};
   if (d.gap.before) {
+    for (const FactorBand& band : d.curves)
+      if (band.x.size() > 1) section.blocks.push_back(curve_figure(band));
     section.blocks.push_back(map_matrix(d));
     add_pictures(d, section);
     if (!d.selection.tried.empty()) section.blocks.push_back(candidate_table(d));

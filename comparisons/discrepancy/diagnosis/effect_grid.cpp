@@ -6,7 +6,8 @@
 namespace rebound {
 namespace {
 
-constexpr double size_step = 0.05;  // of the prior scale
+constexpr double size_step = 0.05;             // of the prior scale
+constexpr double smallest_tried = 1.0 / 64.0;  // of it: plates are stiff by orders of magnitude
 
 /// The numbers of one parameter that are tried; empty: it stays as it is.
 std::vector<double> tried_values(const EffectParameterCard& parameter, const Observations& seen) {
@@ -73,7 +74,7 @@ std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observati
   const double null = std::isfinite(card.null) ? card.null : 0.0;
   // A fine grid of the parameters needs no fine one of the size beside it.
   const bool many = over_parameters(card, {card.name, card.prior_scale, {}}, seen).size() > 10;
-  for (double factor = 0.1; factor < 8.0; factor *= many ? 4.0 : 2.0) {
+  for (double factor = smallest_tried; factor < 8.0; factor *= many ? 4.0 : 2.0) {
     add(null + factor * card.prior_scale);
     add(null - factor * card.prior_scale);
   }

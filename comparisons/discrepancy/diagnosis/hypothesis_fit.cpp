@@ -70,6 +70,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     for (const auto& estimate : fit.search.estimates) fit.values.push_back(estimate.value);
     fit.residuals = model->residuals(fit.values);
   }
+  model->forget_impacts();
   fit.effects = model->effects_at(fit.values);
   const std::size_t data = model->rows().size();
   for (std::size_t i = 0; i < fit.residuals.size(); ++i) {

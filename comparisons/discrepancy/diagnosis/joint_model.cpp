@@ -185,6 +185,12 @@ const JointModel::SpeedPair& JointModel::speed_pair(const std::vector<double>& v
   return kept.emplace(std::move(key), std::move(pair)).first->second;
 }
 
+void JointModel::forget_impacts() const {
+  for (auto& kept : impacts_) kept.clear();
+  for (auto& kept : pairs_) kept.clear();
+  for (auto& kept : blocks_) kept.clear();
+}
+
 std::vector<double> JointModel::impact_key(const std::vector<double>& values,
                                            std::size_t shot) const {
   // The impact itself does not depend on gain, baseline or the clock.

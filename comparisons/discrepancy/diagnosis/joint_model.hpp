@@ -89,6 +89,9 @@ class JointModel {
   /// First touch of a shot by its own clock [s]; zero without a history.
   double first_touch(const std::vector<double>& values, std::size_t shot) const;
   const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
+  /// Gives back the memory of all impacts that were run: a search keeps hundreds a shot, and a
+  /// diagnosis keeps every model it has fitted.
+  void forget_impacts() const;
 
  private:
   struct Unstarted {};  ///< starts of records are not known yet

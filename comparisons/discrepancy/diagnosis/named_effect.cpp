@@ -68,6 +68,7 @@ std::string number_at_bound(const HypothesisFit& fit, std::size_t k) {
 /// Size of effect k with the interval that the data give it, and whether that carries a name.
 void measure_size(const HypothesisFit& fit, std::size_t k, NamedEffect& result) {
   result.size = with_interval(fit, fit.model->unknowns_of_effect(k)[0], fit.effects[k].name, false);
+  if (find_effect(fit.effects[k].name).card.is_free_form) return;  // its curve has a band
   result.weak = number_at_bound(fit, k);
   if (is_well_determined(fit, k)) return;
   const ProfileInterval profile = profile_of_size(fit, k);

@@ -136,7 +136,7 @@ class Walk {
   }
 
  private:
-  static constexpr int most_searches = 60;
+  static constexpr int most_searches = 40;
 
   Point search(double value) {
     const Point point = held_.point_at(value, inside_, control_);

@@ -1,0 +1,80 @@
+// An effect that is in no formula of the list: its family is said, with the curve, and no name.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
+#include "lumped/integration/simulate.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+using testing::believed_law;
+using testing::diagnose_hidden;
+using testing::experiment_with;
+
+/// An elastic force with a bulge at half the largest deflection: stiffer, then as it was.
+EffectChoice bulge() {
+  return {"elastic-curve",
+          0.0,
+          {{"at_0", 0.0},
+           {"at_1", 0.0},
+           {"at_2", 0.12},
+           {"at_3", 0.12},
+           {"at_4", 0.0},
+           {"reach", 0.4},
+           {"damping_share", 0.0}}};
+}
+
+TEST(FamilyTest, ABulgeInTheElasticForceIsOfTheElasticFamily) {
+  int right = 0, wrong = 0;
+  constexpr int seeds = 5;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const Diagnosis d = diagnose_hidden(experiment_with({bulge()}, 80 + seed));
+    right += d.verdict == DiagnosisVerdict::family && d.family == EffectFamily::elastic;
+    wrong += d.verdict == DiagnosisVerdict::missing ||
+             (d.verdict == DiagnosisVerdict::family && d.family != EffectFamily::elastic);
+    if (d.verdict != DiagnosisVerdict::family) continue;
+    ASSERT_FALSE(d.curves.empty());
+    EXPECT_EQ(d.curves.front().of, "deflection_over_radius");
+    EXPECT_LT(d.gap.after, 0.2 * *d.gap.before);
+  }
+  EXPECT_GE(right, 4);
+  EXPECT_EQ(wrong, 0);
+}
+
+// A straight line between impacts that are one per cent apart, two per cent away.
+TEST(RepeatedShotsTest, AShotBetweenTwoSpeedsIsTheirLine) {
+  LumpedProblem problem{.sphere = {.mass = 89.6e-3, .diameter = 66.2e-3},
+                        .impact = {.speed = 15.0},
+                        .model = believed_law()};
+  const LumpedResult nominal = simulate_fast(problem);
+  problem.impact.speed = 15.15;
+  const LumpedResult above = simulate_fast(problem);
+  problem.impact.speed = 15.3;
+  const LumpedResult exact = simulate_fast(problem), line = between(nominal, above, 2.0);
+  const double peak = exact.scalars.peak_force;
+  for (std::size_t i = 0; i < exact.trace.time.size(); ++i) {
+    EXPECT_NEAR(line.trace.force[i], exact.trace.force[i], 1e-4 * peak);
+    EXPECT_NEAR(line.trace.time[i], exact.trace.time[i], 1e-4 * exact.scalars.contact_time);
+  }
+  EXPECT_NEAR(line.scalars.restitution, exact.scalars.restitution, 1e-4);
+}
+
+TEST(RepeatedShotsTest, OnlyThreeOrMoreNearOneSpeedShare) {
+  Observations seen;
+  for (const double speed : {10.0, 10.1, 9.9, 20.0, 20.1, 30.0}) {
+    MeasuredImpact shot;
+    shot.impact.speed = speed;
+    seen.shots.push_back(shot);
+  }
+  const std::vector<std::size_t> expected{0, 0, 0, 3, 4, 5};
+  EXPECT_EQ(shots_that_share(seen, believed_law()), expected);
+  LumpedModel at_speeds = believed_law();
+  at_speeds.damping_formula = "hertz-exact";
+  EXPECT_EQ(shots_that_share(seen, at_speeds), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));
+}
+
+}  // namespace
+}  // namespace rebound
