@@ -70,6 +70,9 @@ struct Limit {
   std::optional<double> absent = std::nullopt;
   const char* reason = "";  ///< why the range ends where it does
 };
+// GCC deduces this by itself; Clang, which checks the sources, only from version 17 on.
+template <class Record, class Number, class... Rest>
+Limit(Number Record::*, Rest...) -> Limit<Record, Number>;
 
 /// Where a record stands in its problem: "model.material.branch[1]". Made on the way
 /// down, put into words only for an error.

@@ -24,13 +24,16 @@ constexpr std::size_t fewest_quiet = 20;  // samples before contact that make a 
 /// contact_threshold(): the noise is often known only from what lies outside.
 ///
 /// A force that grows as t^p, p ≤ 2, is nothing 1.5 times as long before the lower level as it
-/// takes from there to the higher one; a share of the contact would be too little for a plate that
-/// gives way or a ball with a soft skin, whose onset would pass for noise.
+/// takes from there to the higher one; a tenth of the contact would be too little for a plate that
+/// gives way or a ball with a soft skin, whose onset would pass for noise. More than a quarter of
+/// the contact is no onset, but coarse rounding.
 SampleRange window_of(const std::vector<double>& force) {
   const double peak = *std::max_element(force.begin(), force.end());
   const SampleRange low = contact_window(force, clearly_in_contact * peak);
   const SampleRange high = contact_window(force, well_in_contact * peak);
-  const auto beyond = [](std::size_t samples) { return samples + (samples + 1) / 2; };
+  const auto beyond = [&](std::size_t samples) {
+    return std::min(samples + (samples + 1) / 2, low.count() / 4);
+  };
   const std::size_t before = beyond(high.first - low.first), after = beyond(low.last - high.last);
   return {low.first - std::min(low.first, before), std::min(low.last + after, force.size() - 1)};
 }

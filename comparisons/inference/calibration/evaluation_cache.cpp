@@ -76,10 +76,12 @@ void EvaluationCache::load() {
 }
 
 std::vector<double> EvaluationCache::operator()(const std::vector<double>& x) {
-  const Error no_answer(ExitCode::solver_failed, "the model has no answer here");
+  const auto no_answer = [] {
+    return Error(ExitCode::solver_failed, "the model has no answer here");
+  };
   if (const auto found = answers_.find(x); found != answers_.end()) {
     ++from_file_;
-    if (!found->second) throw no_answer;
+    if (!found->second) throw no_answer();
     return *found->second;
   }
   Answer answer;
@@ -98,7 +100,7 @@ std::vector<double> EvaluationCache::operator()(const std::vector<double>& x) {
   answers_[x] = answer;
   unsaved_ = true;
   if (std::chrono::steady_clock::now() - saved_ >= interval_) save();
-  if (!answer) throw no_answer;
+  if (!answer) throw no_answer();
   return *answer;
 }
 

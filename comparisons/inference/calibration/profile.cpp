@@ -119,14 +119,15 @@ class Walk {
       if (std::abs(root - wanted_) <= 1e-3 * wanted_) return finished(point.value);
       if (root < wanted_) {
         if (beyond) return side_;
-        inside_ = point;
+        move_inside(point);
       } else {
         outside_ = point;
+        lost_before_ = true;
       }
       if (outside_ && std::abs(outside_->value - inside_.value) <= close_) {
         const Point again = search(outside_->value);
         if (root_of(again) >= wanted_) return finished(crossing());
-        inside_ = again;
+        move_inside(again);
         outside_.reset();
       }
       at = next();
@@ -136,8 +137,12 @@ class Walk {
   }
 
  private:
-  static constexpr int most_searches = 40;
+  static constexpr int most_searches = 60;
 
+  void move_inside(const Point& point) {
+    stride_ = std::abs(point.value - inside_.value);
+    inside_ = point;
+  }
   Point search(double value) {
     const Point point = held_.point_at(value, inside_, control_);
     if (std::isfinite(point.cost)) side_.points.push_back(point);
@@ -165,7 +170,9 @@ class Walk {
     }
     const double far = inside_.value - best_.value, slope = root_of(inside_) / far;
     const double reach = slope == 0.0 ? 4.0 * far : 1.05 * wanted_ / slope;
-    return best_.value + (std::abs(reach) < std::abs(4.0 * far) ? reach : 4.0 * far);
+    const double limit =
+        lost_before_ ? std::abs(far) + 2.0 * stride_ : 4.0 * std::abs(far);  // as the valley bends
+    return best_.value + std::copysign(std::min(std::abs(reach), limit), far);
   }
 
   Held& held_;
@@ -175,6 +182,8 @@ class Walk {
   Point inside_;
   std::optional<Point> outside_;
   double close_ = 0.0;
+  double stride_ = 0.0;       ///< between the last two points inside
+  bool lost_before_ = false;  ///< has a step left the valley, or met the end of the interval?
   Side side_;
 };
 

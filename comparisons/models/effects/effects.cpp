@@ -59,7 +59,9 @@ void apply_all(const std::vector<EffectChoice>& effects, Record& record,
       if (tier.empty()) continue;  // the measurement passes over what is physical
       refuse_form(choice, effect, tier, i);
     }
-    if (choice.size != effect.card.null) apply_at(apply, choice, record, i);
+    // The size of a free form is one of its numbers: the others act where it is zero.
+    if (choice.size != effect.card.null || effect.card.is_free_form)
+      apply_at(apply, choice, record, i);
   }
 }
 

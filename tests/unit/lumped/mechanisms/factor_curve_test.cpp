@@ -56,13 +56,13 @@ TEST(FactorCurveTest, AStraightElasticCurveIsStiffening) {
   EXPECT_LT(by_curve.closures.energy, 1e-6);
 }
 
-// A straight curve over η/x_max that ends at zero is hysteresis.
-TEST(FactorCurveTest, AStraightUnloadingCurveIsHysteresis) {
+// 1 − η/x_max = (1 − u)²: a parabola over u that ends at zero is hysteresis.
+TEST(FactorCurveTest, AParabolaOfTheUnloadingIsHysteresis) {
   LumpedProblem problem = test::typical_problem("hunt-crossley");
   problem.model.mechanisms.memory.hysteresis = 0.25;
   const LumpedResult by_formula = simulate(problem);
   problem.model.mechanisms.memory = {};
-  problem.model.mechanisms.memory.curve = {.value = {-0.25, -0.2, -0.15, -0.1, -0.05, 0.0},
+  problem.model.mechanisms.memory.curve = {.value = {-0.25, -0.16, -0.09, -0.04, -0.01, 0.0},
                                            .end = 1.0};
   const LumpedResult by_curve = simulate(problem);
   EXPECT_NEAR(by_curve.scalars.restitution, by_formula.scalars.restitution, 1e-8);
