@@ -11,13 +11,11 @@
 ///
 ///   u      what the factor depends on        u_end  the last point, 0: no curve
 ///
-/// Between points g is the cubic whose slopes at them are those of the parabola through three
-/// neighbours: smooth to its first derivative, and local, so that one point does not move another
-/// end.
+/// Between points g is the cubic whose slopes at them are central differences (one-sided at the
+/// ends): smooth to its first derivative, and local, so that one point does not move another end.
 /// Valid:   u ≥ 0.
 /// Limit:   all values zero give exactly 1 -> test FactorCurveTest.NothingIsOne; a straight line
-///          comes out straight -> test FactorCurveTest.ALineStaysALine, a parabola as it is -> test
-///          FactorCurveTest.AParabolaOfTheUnloadingIsHysteresis.
+///          comes out straight -> test FactorCurveTest.ALineStaysALine.
 /// Source:  cubic Hermite interpolation with finite-difference slopes, e.g. Fritsch & Carlson 1980,
 ///          without their limiter.
 namespace rebound {
@@ -31,8 +29,8 @@ inline double curve_factor(const FactorCurve& curve, double u) {
   const double t = place - i;
   const auto value = [&](int k) { return curve.value[static_cast<std::size_t>(k)]; };
   const auto slope = [&](int k) {
-    if (k == 0) return 2.0 * value(1) - 1.5 * value(0) - 0.5 * value(2);
-    if (k == last) return 1.5 * value(last) + 0.5 * value(last - 2) - 2.0 * value(last - 1);
+    if (k == 0) return value(1) - value(0);
+    if (k == last) return value(last) - value(last - 1);
     return 0.5 * (value(k + 1) - value(k - 1));
   };
   const double t2 = t * t, t3 = t2 * t;

@@ -24,6 +24,8 @@
 ///          has no jump where unloading begins.
 /// Limit:   of an elastic law with set, e² = 1 − p and the dent left is p x_max
 ///          -> test PermanentSetTest.LeavesItsShareOfTheLargestDeflection.
+///          A curve 1 − h (1 − u) leaves a Hertz contact e² = 1 − 5π h/32
+///          -> test FactorCurveTest.ALineOfTheUnloadingLosesWhatItsIntegralSays.
 /// Caution: with both, hysteresis works on the deflection that is left, η.
 /// Source:  unloading from a permanently flattened contact, as in the loading
 ///          and unloading curves of Walton & Braun 1986, for any law.

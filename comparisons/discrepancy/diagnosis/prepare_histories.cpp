@@ -34,7 +34,11 @@ SampleRange window_of(const std::vector<double>& force) {
   const auto beyond = [&](std::size_t samples) {
     return std::min(samples + (samples + 1) / 2, low.count() / 4);
   };
-  const std::size_t before = beyond(high.first - low.first), after = beyond(low.last - high.last);
+  // A short record keeps some quiet to tell the noise by, as far as a tenth of the contact allows.
+  const std::size_t spare = low.first - std::min(low.first, fewest_quiet);
+  const std::size_t before =
+      std::min(beyond(high.first - low.first), std::max(spare, low.count() / 10));
+  const std::size_t after = beyond(low.last - high.last);
   return {low.first - std::min(low.first, before), std::min(low.last + after, force.size() - 1)};
 }
 

@@ -44,6 +44,17 @@ void apply_at(void (*apply)(const EffectChoice&, Record&), const EffectChoice& c
                .allowed = "effects with a form in this tier"});
 }
 
+/// Is there anything of it? The size of a free form is one of its numbers: the others may act where
+/// it is zero.
+bool acts(const EffectCard& card, const EffectChoice& choice) {
+  return choice.size != card.null ||
+         (card.is_free_form &&
+          std::any_of(card.parameters.begin(), card.parameters.end(),
+                      [&](const EffectParameterCard& one) {
+                        return choice.parameters.at(one.name) != one.default_value;
+                      }));
+}
+
 template <class Record>
 void apply_all(const std::vector<EffectChoice>& effects, Record& record,
                void (*Effect::*form)(const EffectChoice&, Record&), const std::string& tier) {
@@ -59,9 +70,7 @@ void apply_all(const std::vector<EffectChoice>& effects, Record& record,
       if (tier.empty()) continue;  // the measurement passes over what is physical
       refuse_form(choice, effect, tier, i);
     }
-    // The size of a free form is one of its numbers: the others act where it is zero.
-    if (choice.size != effect.card.null || effect.card.is_free_form)
-      apply_at(apply, choice, record, i);
+    if (acts(effect.card, choice)) apply_at(apply, choice, record, i);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "lumped/integration/simulate.hpp"
 #include "lumped/mechanisms/unloading_memory.hpp"
@@ -56,17 +57,18 @@ TEST(FactorCurveTest, AStraightElasticCurveIsStiffening) {
   EXPECT_LT(by_curve.closures.energy, 1e-6);
 }
 
-// 1 − η/x_max = (1 − u)²: a parabola over u that ends at zero is hysteresis.
-TEST(FactorCurveTest, AParabolaOfTheUnloadingIsHysteresis) {
+// F = F_e [1 − h √(1 − η/x_max)] on the way back: e² = 1 − h ∫ s^1.5 √(1 − s) ds/∫ s^1.5 ds, which
+// is 1 − h (5/2) B(5/2, 3/2) = 1 − 5π h/32 for F_e of Hertz.
+TEST(FactorCurveTest, ALineOfTheUnloadingLosesWhatItsIntegralSays) {
+  constexpr double h = 0.25;
   LumpedProblem problem = test::typical_problem("hunt-crossley");
-  problem.model.mechanisms.memory.hysteresis = 0.25;
-  const LumpedResult by_formula = simulate(problem);
-  problem.model.mechanisms.memory = {};
-  problem.model.mechanisms.memory.curve = {.value = {-0.25, -0.16, -0.09, -0.04, -0.01, 0.0},
-                                           .end = 1.0};
-  const LumpedResult by_curve = simulate(problem);
-  EXPECT_NEAR(by_curve.scalars.restitution, by_formula.scalars.restitution, 1e-8);
-  EXPECT_LT(by_curve.closures.energy, 1e-6);
+  problem.model.parameters["damping"] = 0.0;
+  problem.model.mechanisms.memory.curve = {
+      .value = {-h, -0.8 * h, -0.6 * h, -0.4 * h, -0.2 * h, 0.0}, .end = 1.0};
+  const LumpedResult result = simulate(problem);
+  EXPECT_NEAR(std::pow(result.scalars.restitution, 2), 1.0 - 5.0 * std::numbers::pi * h / 32.0,
+              1e-6);
+  EXPECT_LT(result.closures.energy, 1e-6);
 }
 
 // Three equal branches are one of three times the ratio.
