@@ -48,11 +48,11 @@ void apply_at(void (*apply)(const EffectChoice&, Record&), const EffectChoice& c
 /// it is zero.
 bool acts(const EffectCard& card, const EffectChoice& choice) {
   return choice.size != card.null ||
-         (card.is_free_form &&
-          std::any_of(card.parameters.begin(), card.parameters.end(),
-                      [&](const EffectParameterCard& one) {
-                        return choice.parameters.at(one.name) != one.default_value;
-                      }));
+         (card.is_free_form && std::any_of(card.parameters.begin(), card.parameters.end(),
+                                           [&](const EffectParameterCard& one) {
+                                             return choice.parameters.at(one.name) !=
+                                                    one.default_value;
+                                           }));
 }
 
 template <class Record>
