@@ -21,7 +21,7 @@ Error bad(const std::string& message, const std::string& key, const std::string&
 
 void require_known(const LawCard& card, const ParameterValues& values, const KeyPath& at) {
   for (const auto& [name, value] : values) {
-    const auto same = [&](const ParameterCard& p) { return p.name == name; };
+    const auto same = [&wanted = name](const ParameterCard& p) { return p.name == wanted; };
     if (std::any_of(card.parameters.begin(), card.parameters.end(), same)) continue;
     std::string names;
     for (const auto& p : card.parameters) names += (names.empty() ? "" : ", ") + p.name;
