@@ -24,8 +24,10 @@ double force_at(const Trace& trace, double time, std::size_t& from) {
 /// The filtered contact on an even grid that reaches as far as `last`.
 Trace filtered(const Trace& contact, double bandwidth, double last) {
   const double duration = contact.time.back() - contact.time.front();
-  const double step = duration / static_cast<double>(contact.time.size() - 1);
   const double end = std::max(last, contact.time.back());
+  constexpr double most_samples = 1e5;  // however short the contact was
+  const double step = std::max(duration / static_cast<double>(contact.time.size() - 1),
+                               (end - contact.time.front()) / most_samples);
   Trace even;
   std::size_t from = 0;
   for (double t = contact.time.front(); t <= end + step; t += step) {

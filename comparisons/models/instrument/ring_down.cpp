@@ -38,7 +38,11 @@ Trace with_ring_down(const Trace& contact, const Plate& plate, double duration) 
 
   Trace trace{.time = contact.time, .force = contact.force, .deflection = {}, .further = {}};
   const double end = contact.time.back();
-  const double step = (end - contact.time.front()) / static_cast<double>(contact.time.size() - 1);
+  // A contact that ends as it begins must not be followed in steps of its own length.
+  constexpr double most_samples = 1e4;
+  const double step =
+      std::max((end - contact.time.front()) / static_cast<double>(contact.time.size() - 1),
+               duration / most_samples);
   for (double since = step; since <= duration + step; since += step) {
     const Complex one = a * std::exp(first * since), two = b * std::exp(second * since);
     trace.time.push_back(end + since);

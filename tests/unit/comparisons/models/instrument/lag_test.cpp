@@ -44,5 +44,10 @@ TEST(LagTest, KeepsTheImpulse) {
   EXPECT_NEAR(impulse, 0.5 * slope * end * end, 1e-3 * 0.5 * slope * end * end);
 }
 
+// A contact that ends as it begins once made a record of 10⁹ samples.
+TEST(LagTest, AShortContactMakesNoEndlessRecord) {
+  EXPECT_LT(with_lag(ramp(1e5, 1e-12), 1e-4, 5e-3).time.size(), 20000u);
+}
+
 }  // namespace
 }  // namespace rebound
