@@ -27,6 +27,17 @@ void keep_best(std::vector<EffectScore>& scores, const EffectScore& score) {
     *known = score;
 }
 
+/// The points of one kind of grid, of all effects in turn.
+std::vector<EffectChoice> of_all(const std::vector<std::string>& effects,
+                                 std::vector<EffectChoice> (*grid)(const EffectCard&,
+                                                                   const Observations&),
+                                 const Observations& seen) {
+  std::vector<EffectChoice> choices;
+  for (const std::string& name : effects)
+    for (EffectChoice& one : grid(find_effect(name).card, seen)) choices.push_back(std::move(one));
+  return choices;
+}
+
 /// Residuals of the fitted model with one more effect, nothing refitted; empty
 /// where the effect has no form for this model, or the impact no answer.
 std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const EffectChoice& added) {
@@ -57,10 +68,7 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   } else {
     basis_.resize(rows, 0);
   }
-  std::vector<EffectChoice> choices;
-  for (const std::string& name : effects_)
-    for (EffectChoice& small : small_effects(find_effect(name).card, seen_))
-      choices.push_back(std::move(small));
+  const std::vector<EffectChoice> choices = of_all(effects_, small_effects, seen_);
   const auto moved = moved_residuals(choices);
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (moved[i]) add_sensitivity(choices[i], *moved[i]);
@@ -100,10 +108,7 @@ void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen
 }
 
 void EffectSensitivities::look_for_starts() {
-  std::vector<EffectChoice> choices;
-  for (const std::string& name : effects_)
-    for (EffectChoice& finite : finite_effects(find_effect(name).card, seen_))
-      choices.push_back(std::move(finite));
+  const std::vector<EffectChoice> choices = of_all(effects_, finite_effects, seen_);
   const auto moved = moved_residuals(choices);
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (moved[i])

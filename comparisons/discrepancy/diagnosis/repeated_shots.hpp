@@ -8,7 +8,8 @@ namespace rebound {
 
 /// Shots of one ball at nearly one speed need no impact each: between two impacts that are one per
 /// cent apart in speed, every column of a trace and every scalar is a straight line in speed, and
-/// what it misses is the curvature, ε² n(n−1)/2 for a force that grows as vⁿ: 5e-5 at ε = 2 %.
+/// what it misses is the curvature, ε² n(n−1)/2 for a force that grows as vⁿ: 5e-5 at ε = 2 %
+/// -> test RepeatedShotsTest.AShotBetweenTwoSpeedsIsTheirLine.
 ///
 /// The first shot of each group, for every shot; a shot that shares with none is its own.
 /// Groups of less than three are none: they would save nothing.

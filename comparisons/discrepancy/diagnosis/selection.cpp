@@ -16,8 +16,7 @@ double prediction_criterion(const AssessedFit& one) {
 
 /// Is `general` what `special` is, with a free curve in place of the formulas of its family?
 bool frees_formulas_of(const HypothesisFit& general, const HypothesisFit& special) {
-  EffectNames formulas;
-  for (const EffectChoice& one : special.effects) formulas.insert(one.name);
+  EffectNames formulas = names_of(special.effects);
   for (const EffectChoice& one : general.effects) {
     const EffectCard& free = find_effect(one.name).card;
     if (!free.is_free_form || formulas.contains(one.name)) continue;
@@ -26,8 +25,8 @@ bool frees_formulas_of(const HypothesisFit& general, const HypothesisFit& specia
     });
   }
   const EffectNames own = names_of(general.effects);
-  return std::includes(own.begin(), own.end(), formulas.begin(), formulas.end()) &&
-         names_of(special.effects) != own && formulas.size() < special.effects.size();
+  return formulas.size() < special.effects.size() &&
+         std::includes(own.begin(), own.end(), formulas.begin(), formulas.end());
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "comparisons/models/instrument/droop.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "comparisons/models/instrument/sample_step.hpp"
 
 namespace rebound {
 namespace {
@@ -24,10 +25,7 @@ Trace with_droop(const Trace& force, double rate, double last) {
   const double end = force.time.back();
   if (rate == 0.0 || last <= end) return passed;
   // The force drops to zero at once; a sample next to the last keeps the jump.
-  constexpr double most_samples = 1e4;  // of what follows a contact, however short that was
-  const double step =
-      std::max((end - force.time.front()) / static_cast<double>(force.time.size() - 1),
-               (last - end) / most_samples);
+  const double step = sample_step(force, last - end, most_samples_after);
   constexpr double at_once = 1e-6;
   y -= force.force.back();
   for (double since = at_once * step; since < last - end + step; since += step) {

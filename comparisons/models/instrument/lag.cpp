@@ -1,7 +1,8 @@
 #include "comparisons/models/instrument/lag.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "comparisons/models/instrument/sample_step.hpp"
 
 namespace rebound {
 
@@ -16,10 +17,7 @@ Trace with_lag(const Trace& force, double time_constant, double last) {
     passed.force[i] = y;
   }
   const double end = force.time.back();
-  constexpr double most_samples = 1e4;  // of what follows a contact, however short that was
-  const double step =
-      std::max((end - force.time.front()) / static_cast<double>(force.time.size() - 1),
-               (last - end) / most_samples);
+  const double step = sample_step(force, last - end, most_samples_after);
   for (double since = step; since < last - end + step; since += step) {
     passed.time.push_back(end + since);
     passed.force.push_back(y * std::exp(-since / time_constant));

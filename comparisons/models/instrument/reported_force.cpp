@@ -7,6 +7,7 @@
 #include "comparisons/models/instrument/disturbance.hpp"
 #include "comparisons/models/instrument/droop.hpp"
 #include "comparisons/models/instrument/lag.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -23,11 +24,9 @@ double force_at(const Trace& trace, double time, std::size_t& from) {
 
 /// The filtered contact on an even grid that reaches as far as `last`.
 Trace filtered(const Trace& contact, double bandwidth, double last) {
-  const double duration = contact.time.back() - contact.time.front();
   const double end = std::max(last, contact.time.back());
-  constexpr double most_samples = 1e5;  // however short the contact was
-  const double step = std::max(duration / static_cast<double>(contact.time.size() - 1),
-                               (end - contact.time.front()) / most_samples);
+  constexpr double most_steps = 1e5;
+  const double step = sample_step(contact, end - contact.time.front(), most_steps);
   Trace even;
   std::size_t from = 0;
   for (double t = contact.time.front(); t <= end + step; t += step) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <complex>
 
+#include "comparisons/models/instrument/sample_step.hpp"
+
 namespace rebound {
 namespace {
 
@@ -38,11 +40,7 @@ Trace with_ring_down(const Trace& contact, const Plate& plate, double duration) 
 
   Trace trace{.time = contact.time, .force = contact.force, .deflection = {}, .further = {}};
   const double end = contact.time.back();
-  // A contact that ends as it begins must not be followed in steps of its own length.
-  constexpr double most_samples = 1e4;
-  const double step =
-      std::max((end - contact.time.front()) / static_cast<double>(contact.time.size() - 1),
-               duration / most_samples);
+  const double step = sample_step(contact, duration, most_samples_after);
   for (double since = step; since <= duration + step; since += step) {
     const Complex one = a * std::exp(first * since), two = b * std::exp(second * since);
     trace.time.push_back(end + since);
