@@ -75,6 +75,7 @@ std::vector<PublishedFoam> published_foams() {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<PublishedFoam> foams;
+  foams.reserve(files.size());
   for (const auto& file : files) foams.push_back(read_foam(file));
   return foams;
 }
