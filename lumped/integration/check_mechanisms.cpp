@@ -10,7 +10,9 @@ namespace rebound {
 namespace {
 
 void check_plate(const Plate& plate) {
-  require_limits(plate, {"model.plate"});
+  const KeyPath at{"model.plate"};
+  require_limits(plate, at);
+  require_limits(plate.frame, {"frame", -1, &at});
   if (plate.friction != 0.0)
     throw Error(
         ExitCode::bad_input,
@@ -46,6 +48,7 @@ void check_mechanisms(const Mechanisms& mechanisms, const AnyLaw& law, double ra
   require_limits(mechanisms.memory, {"memory", -1, &at});
   require_limits(mechanisms.finite_sphere, {"finite_sphere", -1, &at});
   require_limits(mechanisms.mode, {"mode", -1, &at});
+  require_limits(mechanisms.pull, {"pull", -1, &at});
   check_plate(mechanisms.plate);
   check_damping_exponent(mechanisms.damping, law, radius);
 }

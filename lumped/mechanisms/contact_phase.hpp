@@ -8,8 +8,11 @@ struct ContactPhase {
   enum class Kind {
     loading,  ///< deeper than ever before, or nothing remembers how deep
     below,    ///< less deep than the largest approach so far
+    pulled,   ///< apart, and still pulled together
     open,     ///< apart, and may touch again
   };
+  bool apart() const { return kind == Kind::pulled || kind == Kind::open; }
+
   Kind kind = Kind::loading;
   double largest = 0.0;  ///< approach where loading last ended [m]
 };

@@ -20,8 +20,9 @@
 ///          without their limiter.
 namespace rebound {
 
-inline double curve_factor(const FactorCurve& curve, double u) {
-  if (curve.end == 0.0) return 1.0;
+/// g alone.
+inline double curve_value(const FactorCurve& curve, double u) {
+  if (curve.end == 0.0) return 0.0;
   if (std::isnan(u)) return u;  // of a step that is refused: no place on the curve
   constexpr int last = static_cast<int>(FactorCurve::points) - 1;
   const double place = std::min(u / curve.end, 1.0) * last;
@@ -34,8 +35,12 @@ inline double curve_factor(const FactorCurve& curve, double u) {
     return 0.5 * (value(k + 1) - value(k - 1));
   };
   const double t2 = t * t, t3 = t2 * t;
-  return 1.0 + (2.0 * t3 - 3.0 * t2 + 1.0) * value(i) + (t3 - 2.0 * t2 + t) * slope(i) +
+  return (2.0 * t3 - 3.0 * t2 + 1.0) * value(i) + (t3 - 2.0 * t2 + t) * slope(i) +
          (3.0 * t2 - 2.0 * t3) * value(i + 1) + (t3 - t2) * slope(i + 1);
+}
+
+inline double curve_factor(const FactorCurve& curve, double u) {
+  return 1.0 + curve_value(curve, u);
 }
 
 }  // namespace rebound

@@ -117,6 +117,25 @@ struct InternalMode {
   friend bool operator==(const InternalMode&, const InternalMode&) = default;
 };
 
+/// A pull between ball and plate that has no formula, over the elastic force at `deflection_reach`
+/// (lumped/mechanisms/pull_curves.hpp).
+struct PullCurves {
+  FactorCurve contact;            ///< over √(x/x_end), x_end = R deflection_reach
+  FactorCurve unloading;          ///< further pull on the way back, over √(x/x_max)
+  FactorCurve beyond;             ///< factor on the pull at x = 0, over √(gap/(R gap_reach))
+  double deflection_reach = 0.0;  ///< over R [-]
+  double gap_reach = 0.0;         ///< where the pull ends, over R [-]
+
+  bool act() const { return deflection_reach != 0.0; }
+
+  static constexpr auto limits() {
+    return std::tuple{
+        Limit{&PullCurves::deflection_reach, "deflection_reach", "", from_to(0.0, 1.0)},
+        Limit{&PullCurves::gap_reach, "gap_reach", "", from_to(0.0, 1.0)}};
+  }
+  friend bool operator==(const PullCurves&, const PullCurves&) = default;
+};
+
 struct Mechanisms {
   ElasticFactors elastic;
   DampingFactors damping;
@@ -126,6 +145,7 @@ struct Mechanisms {
   FiniteSphere finite_sphere;
   InternalMode mode;
   Plate plate;
+  PullCurves pull;
   double adhesion = 0.0;  ///< work of adhesion [J/m²]
   double gravity = 0.0;   ///< towards the plate [m/s²]
 
@@ -140,7 +160,8 @@ struct Mechanisms {
     return elastic != ElasticFactors{} || damping != DampingFactors{} || relaxation.ratio != 0.0 ||
            further_relaxation[0].ratio != 0.0 || further_relaxation[1].ratio != 0.0 ||
            memory != UnloadingMemory{} || finite_sphere.share != 0.0 || mode.mass_fraction != 0.0 ||
-           plate.moves() || plate.friction != 0.0 || adhesion != 0.0 || gravity != 0.0;
+           plate.moves() || plate.friction != 0.0 || adhesion != 0.0 || pull.act() ||
+           gravity != 0.0;
   }
 };
 

@@ -39,7 +39,8 @@ AssessedFit judge(const Observations& seen, HypothesisFit fit,
   // What χ² refuses needs no closer look; the model that is believed gets one, for its map.
   if (look == Look::at_what_may_pass && candidate.p_value <= rules.smallest_adequate_p)
     return candidate;
-  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects));
+  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects),
+                                   look == Look::at_all ? GridDetail::fine : GridDetail::coarse);
   const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
   candidate.map = residual_map(seen, candidate.fit, around, level, seed);
   candidate.remaining_threshold = around.threshold(level, seed);

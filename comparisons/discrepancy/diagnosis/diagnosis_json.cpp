@@ -67,6 +67,7 @@ Json to_json(const Diagnosis& d) {
   for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
   for (const FactorBand& band : d.curves)
     curves.push_back({{"of", band.of},
+                      {"quantity", band.quantity},
                       {"x", band.x},
                       {"factor", band.factor},
                       {"low", band.low},

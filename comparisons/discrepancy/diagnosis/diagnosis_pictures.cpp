@@ -66,8 +66,9 @@ report::Figure history_figure(const MeasuredImpact& shot, const std::string& tit
 /// What a curve depends on, as an axis says it.
 report::Axis axis_of(const FactorBand& band) {
   if (band.of == "rate_m_s") return {"rate of deflection", "m/s"};
-  if (band.of == "deflection_over_radius") return {"deflection over radius", "1"};
-  return {"deflection over the largest one so far", "1"};
+  std::string words = band.of;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return {words, "1"};
 }
 
 }  // namespace
@@ -141,14 +142,19 @@ report::Matrix cosine_matrix(const Diagnosis& d) {
 }
 
 report::Figure curve_figure(const FactorBand& band) {
-  report::Figure figure{.title = "The missing factor over " + axis_of(band).quantity,
-                        .caption =
-                            "What the force of the believed model has to be multiplied by: 1 is "
-                            "nothing missing. The points are fitted, with their 95 % band; the "
-                            "extended model goes smoothly through them.",
-                        .x = axis_of(band),
-                        .y = {"factor", "1"},
-                        .series = {}};
+  const bool factor = band.quantity == "factor";
+  std::string quantity = band.quantity;
+  std::replace(quantity.begin(), quantity.end(), '_', ' ');
+  report::Figure figure{
+      .title = "The missing " + quantity + " over " + axis_of(band).quantity,
+      .caption = factor ? "What the force of the believed model has to be multiplied by: 1 is "
+                          "nothing missing. The points are fitted, with their 95 % band; the "
+                          "extended model goes smoothly through them."
+                        : "The points are fitted, with their 95 % band; the extended model goes "
+                          "smoothly through them.",
+      .x = axis_of(band),
+      .y = {quantity, "1"},
+      .series = {}};
   Series curve{.name = "fitted curve",
                .origin = Origin::fitted,
                .x = band.x,
@@ -161,7 +167,7 @@ report::Figure curve_figure(const FactorBand& band) {
                  .origin = Origin::predicted,
                  .role = Series::Role::reference,
                  .x = band.x,
-                 .y = std::vector<double>(band.x.size(), 1.0),
+                 .y = std::vector<double>(band.x.size(), factor ? 1.0 : 0.0),
                  .x_error = {},
                  .y_error = {},
                  .y_low = {},

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+
+#include "lumped/problem/scalars.hpp"
 
 namespace rebound {
 namespace {
@@ -26,6 +29,34 @@ std::vector<double> tried_values(const EffectParameterCard& parameter, const Obs
   return values;
 }
 
+/// Frequencies that histories can show, from a third of a swing in a contact on [Hz].
+std::vector<double> frequencies(const OscillatorCard& oscillator, const Observations& seen,
+                                GridDetail detail) {
+  constexpr double fewest_swings = 0.35, most_swings = 8.0, most_rings = 30.0;  // in a contact
+  constexpr double line_width = 0.05;  // of a frequency, with a damping ratio of a few per cent
+  constexpr double coarse = 1.3;       // from one to the next
+  double contact = 0.0, record = 0.0, step = 0.0;
+  for (const MeasuredImpact& shot : seen.shots) {
+    if (!shot.has_history()) continue;
+    const auto& [time, force] = std::tie(shot.trace.time, shot.trace.force);
+    const double own = time_above(shot.trace, 0.1 * *std::max_element(force.begin(), force.end()));
+    const double length = time.back() - time.front();
+    contact = contact == 0.0 ? own : std::min(contact, own);
+    record = std::max(record, length);
+    step = std::max(step, length / static_cast<double>(time.size() - 1));
+  }
+  if (!(contact > 0.0)) return {};
+  const double seen_for = oscillator.rings_on ? record : contact;
+  const double highest =
+      std::min((oscillator.rings_on ? most_rings : most_swings) / contact, 0.35 / step);
+  std::vector<double> all;
+  for (double f = fewest_swings / contact; f <= highest;) {
+    all.push_back(f);
+    f = detail == GridDetail::coarse ? coarse * f : f + std::max(0.5 / seen_for, line_width * f);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
@@ -45,7 +76,15 @@ std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectCh
   return all;
 }
 
-std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen) {
+std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen,
+                                        GridDetail detail) {
+  constexpr double slight = 0.01;
+  if (card.oscillator) {
+    std::vector<EffectChoice> all;
+    for (const double frequency : frequencies(*card.oscillator, seen, detail))
+      all.push_back(card.oscillator->with(frequency, slight, seen.shots.front().sphere.mass));
+    if (!all.empty()) return all;
+  }
   std::vector<double> sizes = card.tried;
   if (sizes.empty() && (card.is_switch || !std::isfinite(card.null))) {
     sizes = {card.is_switch ? 1.0 : card.prior_scale};
@@ -56,6 +95,14 @@ std::vector<EffectChoice> small_effects(const EffectCard& card, const Observatio
   std::vector<EffectChoice> all;
   for (const double size : sizes)
     for (auto& choice : over_parameters(card, {card.name, size, {}}, seen)) all.push_back(choice);
+  return all;
+}
+
+std::vector<EffectChoice> stronger_effects(const OscillatorCard& card, const EffectChoice& small,
+                                           const Observations& seen) {
+  std::vector<EffectChoice> all;
+  for (const double strength : {0.005, 0.02, 0.08, 0.3})
+    all.push_back(card.with(card.frequency_of(small), strength, seen.shots.front().sphere.mass));
   return all;
 }
 

@@ -12,8 +12,19 @@ namespace rebound {
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
                                           const Observations& seen);
 
+/// How close frequencies of what may ring stand to each other.
+enum class GridDetail {
+  coarse,  ///< a dozen, evenly over their logarithm
+  fine     ///< so that none that the data tell apart falls between two
+};
+
 /// Where derivatives are taken: a step from null.
-std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen);
+std::vector<EffectChoice> small_effects(const EffectCard& card, const Observations& seen,
+                                        GridDetail detail);
+
+/// The same swing at the strengths where searches may start.
+std::vector<EffectChoice> stronger_effects(const OscillatorCard& card, const EffectChoice& small,
+                                           const Observations& seen);
 
 /// Where searches may start.
 std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen);

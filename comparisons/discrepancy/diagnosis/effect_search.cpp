@@ -50,7 +50,11 @@ bool EffectSearch::singles() {
   const std::vector<std::string> forms = free_forms(base().effects);
   const auto starts_of = [&](std::size_t i) {
     if (i < ranked.size()) return around_.starts(ranked[i].first, starts_per_effect);
-    return starts_of_free_form(find_effect(forms[i - ranked.size()]).card, seen_, base());
+    const EffectCard& card = find_effect(forms[i - ranked.size()]).card;
+    const std::string formula = formula_within(card);
+    if (formula.empty()) return starts_of_free_form(card, seen_, base());
+    if (around_.best_probe(formula) > base().chi_square) return std::vector<EffectChoice>{};
+    return starts_beside_a_formula(card, around_.starts(formula, starts_per_effect));
   };
   Fits fits = fit_all(ranked.size() + forms.size(), [&](std::size_t i) {
     return fit_extended(seen_, base(), starts_of(i), SearchEffort::first_look, within());

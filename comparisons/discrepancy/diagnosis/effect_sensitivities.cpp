@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
 #include "comparisons/discrepancy/diagnosis/noise_statistics.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -28,13 +27,11 @@ void keep_best(std::vector<EffectScore>& scores, const EffectScore& score) {
 }
 
 /// The points of one kind of grid, of all effects in turn.
-std::vector<EffectChoice> of_all(const std::vector<std::string>& effects,
-                                 std::vector<EffectChoice> (*grid)(const EffectCard&,
-                                                                   const Observations&),
-                                 const Observations& seen) {
+template <class Grid>
+std::vector<EffectChoice> of_all(const std::vector<std::string>& effects, const Grid& grid) {
   std::vector<EffectChoice> choices;
   for (const std::string& name : effects)
-    for (EffectChoice& one : grid(find_effect(name).card, seen)) choices.push_back(std::move(one));
+    for (EffectChoice& one : grid(find_effect(name).card)) choices.push_back(std::move(one));
   return choices;
 }
 
@@ -59,7 +56,7 @@ std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const Ef
 }  // namespace
 
 EffectSensitivities::EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
-                                         std::vector<std::string> effects)
+                                         std::vector<std::string> effects, GridDetail detail)
     : seen_(seen), fit_(fit), effects_(std::move(effects)) {
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
   if (!fit.values.empty()) {
@@ -68,7 +65,8 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   } else {
     basis_.resize(rows, 0);
   }
-  const std::vector<EffectChoice> choices = of_all(effects_, small_effects, seen_);
+  const std::vector<EffectChoice> choices =
+      of_all(effects_, [&](const EffectCard& card) { return small_effects(card, seen_, detail); });
   const auto moved = moved_residuals(choices);
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (moved[i]) add_sensitivity(choices[i], *moved[i]);
@@ -107,8 +105,27 @@ void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen
   sensitivities_.push_back(std::move(sensitivity));
 }
 
+/// What swings, at the frequencies that gain most.
+std::vector<EffectChoice> EffectSensitivities::stronger_where_it_shows(
+    const EffectCard& card) const {
+  constexpr std::size_t most = 10;
+  std::vector<std::pair<double, const EffectChoice*>> gains;
+  for (const EffectSensitivity& d : sensitivities_)
+    if (d.effect.name == card.name) gains.emplace_back(score_of(d).gain_chi_square, &d.effect);
+  if (gains.empty()) return finite_effects(card, seen_);
+  std::stable_sort(gains.begin(), gains.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<EffectChoice> all;
+  for (std::size_t i = 0; i < std::min(most, gains.size()); ++i)
+    for (EffectChoice& one : stronger_effects(*card.oscillator, *gains[i].second, seen_))
+      all.push_back(std::move(one));
+  return all;
+}
+
 void EffectSensitivities::look_for_starts() {
-  const std::vector<EffectChoice> choices = of_all(effects_, finite_effects, seen_);
+  const std::vector<EffectChoice> choices = of_all(effects_, [&](const EffectCard& card) {
+    return card.oscillator ? stronger_where_it_shows(card) : finite_effects(card, seen_);
+  });
   const auto moved = moved_residuals(choices);
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (moved[i])
@@ -136,30 +153,30 @@ Eigen::VectorXd EffectSensitivities::project(const Eigen::VectorXd& column) cons
   return column - basis_ * (basis_.transpose() * column);
 }
 
-std::vector<EffectScore> EffectSensitivities::scores() const {
+EffectScore EffectSensitivities::score_of(const EffectSensitivity& d) const {
   const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(),
                                             static_cast<Eigen::Index>(fit_.residuals.size()));
-  std::vector<EffectScore> scores;
-  for (const EffectSensitivity& d : sensitivities_) {
-    const EffectCard& card = find_effect(d.effect.name).card;
-    const double square = d.sensitivity.squaredNorm();
-    EffectScore score{.name = d.effect.name,
-                      .size = -d.sensitivity.dot(r) / square,
-                      .size_error = d.size_error()};
-    if (card.is_switch) {
-      // It is there or not: what it gains is that of its one size, whatever size would fit best.
-      score.size = 1.0;
-      score.gain_chi_square = std::max(0.0, -2.0 * d.sensitivity.dot(r) - square);
-      keep_best(scores, score);
-      continue;
-    }
-    const double sign = card.null <= card.range.lowest    ? 1.0
-                        : card.null >= card.range.highest ? -1.0
-                                                          : 0.0;
-    const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
-    score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
-    keep_best(scores, score);
+  const EffectCard& card = find_effect(d.effect.name).card;
+  const double square = d.sensitivity.squaredNorm();
+  EffectScore score{
+      .name = d.effect.name, .size = -d.sensitivity.dot(r) / square, .size_error = d.size_error()};
+  if (card.is_switch) {
+    // It is there or not: what it gains is that of its one size, whatever size would fit best.
+    score.size = 1.0;
+    score.gain_chi_square = std::max(0.0, -2.0 * d.sensitivity.dot(r) - square);
+    return score;
   }
+  const double sign = card.null <= card.range.lowest    ? 1.0
+                      : card.null >= card.range.highest ? -1.0
+                                                        : 0.0;
+  const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
+  score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
+  return score;
+}
+
+std::vector<EffectScore> EffectSensitivities::scores() const {
+  std::vector<EffectScore> scores;
+  for (const EffectSensitivity& d : sensitivities_) keep_best(scores, score_of(d));
   return scores;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 
 namespace rebound {
@@ -45,7 +46,7 @@ class EffectSensitivities {
   /// or that the data cannot see at all, are left out. `seen` and
   /// `fit` must outlive this.
   EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
-                      std::vector<std::string> effects);
+                      std::vector<std::string> effects, GridDetail detail = GridDetail::fine);
 
   /// Tries finite sizes of every effect, for starts() and best_probe(). Apart,
   /// since it takes an impact a shot and point of the grid.
@@ -86,6 +87,8 @@ class EffectSensitivities {
   Eigen::VectorXd project(const Eigen::VectorXd& column) const;
 
  private:
+  EffectScore score_of(const EffectSensitivity& sensitivity) const;
+  std::vector<EffectChoice> stronger_where_it_shows(const EffectCard& card) const;
   void add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved);
   /// residuals_with() of each, side by side.
   std::vector<std::optional<Eigen::VectorXd>> moved_residuals(

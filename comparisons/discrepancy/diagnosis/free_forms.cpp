@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lumped/mechanisms/unloading_memory.hpp"
-
 namespace rebound {
 namespace {
 
@@ -32,44 +30,6 @@ double mean_contact_time(const Observations& seen, const HypothesisFit& fit) {
   return sum / static_cast<double>(seen.shots.size());
 }
 
-/// A point of a curve: parameter "PREFIX_K", or the size for the one that is left.
-struct Point {
-  std::string number;  ///< of the parameter; empty: the size
-  double place = 0.0;  ///< over the reach
-  double sign = 1.0;   ///< of g in the number
-};
-
-struct Curve {
-  std::string of;
-  std::string reach;  ///< parameter; empty: one
-  std::vector<Point> points;
-};
-
-std::vector<Point> points_of(const std::string& prefix, std::size_t size_at) {
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < FactorCurve::points; ++k)
-    points.push_back({k == size_at ? "" : prefix + "_" + std::to_string(k),
-                      static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1)});
-  return points;
-}
-
-std::vector<Curve> curves_of(const std::string& name) {
-  constexpr std::size_t none = FactorCurve::points;
-  if (name == "elastic-curve")
-    return {{"deflection_over_radius", "reach", points_of("at", FactorCurve::points - 1)}};
-  if (name == "damping-curves")
-    return {{"deflection_over_radius", "deflection_reach", points_of("deflection", none)},
-            {"rate_m_s", "rate_reach", points_of("rate", 2)}};
-  if (name == "unloading-curve") {
-    std::vector<Point> points = points_of("at", 2);
-    points.pop_back();  // held at one
-    points[2].sign = -1.0;
-    for (Point& point : points) point.place = unloading_share(point.place);
-    return {{"share_of_largest_deflection", "", std::move(points)}};
-  }
-  return {};
-}
-
 const Estimate* estimate_of(const HypothesisFit& fit, std::size_t k, const std::string& number) {
   const std::string name = fit.effects[k].name + (number.empty() ? "" : " " + number);
   for (const std::size_t unknown : fit.model->unknowns_of_effect(k))
@@ -94,39 +54,80 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
                                               const HypothesisFit& fit) {
   const Reach reach = reach_of(seen, fit);
   EffectChoice start{.name = card.name, .size = card.null, .parameters = {}};
-  bool has_time = false;
   for (const EffectParameterCard& parameter : card.parameters) {
     double& value = start.parameters[parameter.name];
     value = parameter.default_value;
     if (parameter.kind == ParameterKind::largest_deflection) value = reach.deflection;
     if (parameter.kind == ParameterKind::largest_rate) value = reach.rate;
     value = std::clamp(value, parameter.range.lowest, parameter.range.highest);
-    has_time = has_time || parameter.dimension == dimension::time;
   }
-  if (!has_time) return {start};
-  std::vector<EffectChoice> starts;
-  const double contact_time = mean_contact_time(seen, fit);
-  for (const double share : {0.2, 1.0}) {
-    starts.push_back(start);
-    starts.back().size = 0.3 * card.prior_scale;
-    for (const EffectParameterCard& parameter : card.parameters)
-      if (parameter.dimension == dimension::time)
-        starts.back().parameters[parameter.name] = share * contact_time;
+  std::vector<EffectChoice> starts{start};
+  for (const EffectParameterCard& parameter : card.parameters) {
+    std::vector<double> places = parameter.tried;
+    if (parameter.dimension == dimension::time)
+      for (const double share : {0.2, 1.0}) places.push_back(share * mean_contact_time(seen, fit));
+    if (!parameter.fitted || places.empty()) continue;
+    // A place or a time says nothing at no size.
+    start.size = 0.3 * card.prior_scale;
+    starts.clear();
+    for (const double place : places) {
+      starts.push_back(start);
+      starts.back().parameters[parameter.name] = place;
+    }
   }
   return starts;
 }
 
+std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
+                                                  const std::vector<EffectChoice>& starts) {
+  std::vector<EffectChoice> all;
+  for (const EffectChoice& formula : starts) {
+    std::vector<EffectChoice> own{formula};
+    own.front().name = card.name;
+    for (const EffectParameterCard& parameter : card.parameters) {
+      if (formula.parameters.contains(parameter.name)) continue;
+      std::vector<EffectChoice> next;
+      for (const EffectChoice& one : own)
+        for (const double value : parameter.tried) {
+          next.push_back(one);
+          next.back().parameters[parameter.name] = value;
+        }
+      own = std::move(next);
+    }
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+std::string formula_within(const EffectCard& card) {
+  if (!card.curves.empty()) return {};
+  for (const Effect& effect : all_effects()) {
+    const EffectCard& formula = effect.card;
+    if (formula.is_free_form || formula.family != card.family || formula.parameters.empty() ||
+        formula.size_dimension != card.size_dimension)
+      continue;
+    if (std::all_of(formula.parameters.begin(), formula.parameters.end(), [&](const auto& one) {
+          return std::any_of(card.parameters.begin(), card.parameters.end(),
+                             [&](const auto& own) { return own.name == one.name; });
+        }))
+      return formula.name;
+  }
+  return {};
+}
+
 std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {
   std::vector<FactorBand> bands;
-  for (const Curve& curve : curves_of(fit.effects[k].name)) {
-    FactorBand& band = bands.emplace_back(FactorBand{.of = curve.of});
+  for (const CurveCard& curve : find_effect(fit.effects[k].name).card.curves) {
+    FactorBand& band = bands.emplace_back(FactorBand{.of = curve.of, .quantity = curve.quantity});
     const double reach = curve.reach.empty() ? 1.0 : fit.effects[k].parameters.at(curve.reach);
-    for (const Point& point : curve.points) {
+    const double nothing = curve.quantity == "factor" ? 1.0 : 0.0;
+    for (const CurveCard::Point& point : curve.points) {
       const Estimate* value = estimate_of(fit, k, point.number);
       if (!value) continue;
       band.x.push_back(reach * point.place);
-      const double low = 1.0 + point.sign * value->low, high = 1.0 + point.sign * value->high;
-      band.factor.push_back(1.0 + point.sign * value->value);
+      const double low = nothing + point.sign * value->low;
+      const double high = nothing + point.sign * value->high;
+      band.factor.push_back(nothing + point.sign * value->value);
       band.low.push_back(std::min(low, high));
       band.high.push_back(std::max(low, high));
     }

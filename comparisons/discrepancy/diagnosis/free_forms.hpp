@@ -11,13 +11,23 @@ namespace rebound {
 std::vector<std::string> free_forms(const std::vector<EffectChoice>& present);
 
 /// Where a search for a free form starts: from nothing, with the ranges of its curves those that
-/// the fitted model goes through in the data; for the memory family from several times.
+/// the fitted model goes through in the data; from several times or places where it has such.
 std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Observations& seen,
                                               const HypothesisFit& fit);
 
-/// A factor found without a formula, over what it depends on.
+/// The formula of its family that a free form without curves contains, as a plate on a frame
+/// contains a plate; empty: none.
+std::string formula_within(const EffectCard& card);
+
+/// Where a search for such a free form starts: where that formula does, with its further numbers
+/// where the card says.
+std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
+                                                  const std::vector<EffectChoice>& starts);
+
+/// A factor, or a pull, found without a formula, over what it depends on.
 struct FactorBand {
-  std::string of;  ///< "deflection_over_radius", "rate_m_s", "share_of_largest_deflection", …
+  std::string of;                            ///< as CurveCard
+  std::string quantity;                      ///< as CurveCard
   std::vector<double> x, factor, low, high;  ///< with its 95 % interval
 };
 

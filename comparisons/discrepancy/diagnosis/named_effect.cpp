@@ -11,7 +11,7 @@
 namespace rebound {
 namespace {
 
-constexpr double next_to_null = 0.011;  // of the prior scale: searches keep a hundredth off
+constexpr double next_to_null = 0.011;  // of the scale of a search, which keeps a hundredth off
 
 NumberWithInterval with_interval(const HypothesisFit& fit, std::size_t unknown,
                                  const std::string& name, bool logarithmic) {
@@ -29,8 +29,10 @@ bool is_secondary(const EffectCard& card, const std::string& unknown) {
                      });
 }
 
-bool leaves_out_null(const EffectCard& card, double low, double high) {
-  const double slack = next_to_null * card.prior_scale;
+bool leaves_out_null(const EffectCard& card, double size, double low, double high) {
+  const double scale =
+      card.oscillator ? std::min(card.prior_scale, size - card.null) : card.prior_scale;
+  const double slack = next_to_null * scale;
   return !std::isfinite(card.null) || low - slack > card.null || high + slack < card.null;
 }
 
@@ -38,7 +40,7 @@ bool leaves_out_null(const EffectCard& card, double low, double high) {
 bool is_well_determined(const HypothesisFit& fit, std::size_t k) {
   const auto& unknowns = fit.model->unknowns_of_effect(k);
   const Estimate& size = fit.search.estimates[unknowns[0]];
-  return leaves_out_null(find_effect(fit.effects[k].name).card, size.low, size.high) &&
+  return leaves_out_null(find_effect(fit.effects[k].name).card, size.value, size.low, size.high) &&
          std::all_of(unknowns.begin(), unknowns.end(), [&](std::size_t unknown) {
            return fit.search.estimates[unknown].identifiability !=
                   Identifiability::not_identifiable;
@@ -79,7 +81,7 @@ void measure_size(const HypothesisFit& fit, std::size_t k, NamedEffect& result) 
   if (!profile.low_closed || !profile.high_closed)
     result.weak = fmt::format("the data do not bound its size of {:.3g} within [{:.3g}, {:.3g}]",
                               size, profile.low, profile.high);
-  else if (!leaves_out_null(find_effect(fit.effects[k].name).card, profile.low, profile.high))
+  else if (!leaves_out_null(find_effect(fit.effects[k].name).card, size, profile.low, profile.high))
     result.weak = fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect",
                               size, profile.low, profile.high);
 }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/whole_impact.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 
@@ -173,6 +174,8 @@ void keep_contact(const Record& record, MeasuredImpact& shot) {
 }  // namespace
 
 void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen) {
+  for (std::size_t i = first; i < seen.shots.size(); ++i)
+    if (seen.shots[i].has_history()) keep_whole_impact(seen.shots[i], seen.warnings);
   std::size_t histories = 0;
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     histories += seen.shots[i].has_history() ? 1 : 0;

@@ -6,10 +6,10 @@
 
 namespace rebound {
 
-/// Prepares the histories of one data set, from the shots `first` on: noise, its colour and its
-/// rounding are settled from the whole records, which are then cut to the contact with some of
-/// the quiet around it. observe() says the rules. A shot whose noise nothing tells loses its
-/// history, and says so among what is missing.
+/// Prepares the histories of one data set, from the shots `first` on: those that are no whole
+/// impact go; noise, its colour and its rounding are settled from the whole records, which are then
+/// cut to the contact with some of the quiet around it. observe() says the rules. A shot whose
+/// noise nothing tells loses its history, and says so among what is missing.
 void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen);
 
 }  // namespace rebound

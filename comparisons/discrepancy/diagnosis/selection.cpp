@@ -65,6 +65,11 @@ namespace {
 void search_effects(EffectSearch& search, const EffectSelection& selection,
                     const SelectionRules& rules) {
   if (search.singles()) return;
+  // Far beyond what sets mend: the believed numbers are not those of this ball, or the data are not
+  // of an impact.
+  constexpr double hopeless = 1e3;
+  if (selection.tried.empty() || selection.tried.front().fit.reduced_chi_square() > hopeless)
+    return;
   for (std::size_t count = 2; count <= rules.most_effects; ++count) {
     const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
     if (search.sets_of(count)) {

@@ -35,6 +35,29 @@ EffectFamily common_family(const std::vector<std::vector<std::string>>& candidat
   return same ? first : EffectFamily::none;
 }
 
+/// The family in all candidates that explains by itself most of what they explain; none where two
+/// share it.
+EffectFamily main_family(const Diagnosis& d, const HypothesisFit& best) {
+  constexpr double most = 0.8;
+  const double before = d.selection.baseline.fit.chi_square;
+  EffectFamily found = EffectFamily::none;
+  for (const AssessedFit& one : d.selection.tried) {
+    const EffectFamily family = family_of(added_effects(d, one.fit));
+    const bool in_all =
+        std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
+          return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+            return find_effect(name).card.family == family;
+          });
+        });
+    if (family == EffectFamily::none || !in_all ||
+        before - one.fit.chi_square < most * (before - best.chi_square))
+      continue;
+    if (found != EffectFamily::none && found != family) return EffectFamily::none;
+    found = family;
+  }
+  return found;
+}
+
 /// What a candidate adds to the believed model, with numbers and intervals.
 std::vector<NamedEffect> additions(const Diagnosis& d, const HypothesisFit& fit) {
   std::vector<NamedEffect> effects;
@@ -60,6 +83,7 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   if (fits.empty()) fits.push_back(&d.selection.baseline.fit);  // set right by its formula alone
   for (const auto* fit : fits) d.candidates.push_back(added_effects(d, *fit));
   d.family = common_family(d.candidates);
+  if (d.family == EffectFamily::none) d.family = main_family(d, *fits.front());
   const auto in_all = [&](const std::string& name) {
     return std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
       return std::find(names.begin(), names.end(), name) != names.end();
@@ -170,6 +194,16 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
     d.effects.push_back(named_effect(baseline, k));
 }
 
+/// Were all shots that were fitted made at one speed?
+bool at_one_speed(const Observations& seen) {
+  constexpr double alike = 0.02;
+  const auto slower = [](const MeasuredImpact& a, const MeasuredImpact& b) {
+    return a.impact.speed < b.impact.speed;
+  };
+  const auto [slow, fast] = std::minmax_element(seen.shots.begin(), seen.shots.end(), slower);
+  return fast->impact.speed <= (1.0 + alike) * slow->impact.speed;
+}
+
 }  // namespace
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
@@ -182,6 +216,11 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
     d.effects = additions(d, d.best());
   } else if (d.extended()) {
     conclude_from_candidates(d, rules);
+    if (d.verdict == DiagnosisVerdict::missing && at_one_speed(*d.seen))
+      withhold(
+          d,
+          d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
+          "all shots have one speed, so that nothing is seen to hold at another");
   } else {
     d.verdict = DiagnosisVerdict::agrees;
     d.excluded = d.selection.excluded;
@@ -189,6 +228,18 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
 }
 
 void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
+  if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
+    constexpr double plain = 0.5, noise_deviations = 6.0;
+    const double over = *d.gap.held_out_before - 1.0;
+    if (over > std::max(plain, noise_deviations * std::sqrt(2.0 / unseen_rows(d))))
+      withhold(
+          d, DiagnosisVerdict::unexplained,
+          fmt::format("the believed model agrees with what was fitted, but at the unseen speed "
+                      "the gap is {:.3g}: the shots contradict each other, or something acts "
+                      "at that speed alone",
+                      *d.gap.held_out_before));
+    return;
+  }
   const bool names = d.verdict == DiagnosisVerdict::missing ||
                      d.verdict == DiagnosisVerdict::one_of || d.verdict == DiagnosisVerdict::family;
   if (!names || !d.gap.held_out_before || !d.gap.held_out_after) return;

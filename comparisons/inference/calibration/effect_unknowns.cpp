@@ -7,19 +7,21 @@ namespace rebound {
 namespace {
 
 constexpr double next_to_null = 0.01;      // of the prior scale
-constexpr double parameter_reach = 100.0;  // a factor either way of a fitted parameter's default
+constexpr double parameter_reach = 100.0;  // a factor either way of where a parameter starts
 
 CalibrationParameter size_of(const EffectCard& card, double start) {
+  // Of what swings, that of the start: plates are stiff by orders of magnitude.
+  const double scale = card.oscillator && start > card.null ? start - card.null : card.prior_scale;
   // A plate or a branch next to nothing is stiff and cannot be told from
   // nothing: searches keep off a one-sided null.
-  const double least = card.null <= card.range.lowest ? card.null + next_to_null * card.prior_scale
-                                                      : card.range.lowest;
+  const double least =
+      card.null <= card.range.lowest ? card.null + next_to_null * scale : card.range.lowest;
   return {.name = card.name,
           .unit = "SI",
           .start = std::max(start, least),
           .lowest = least,
           .highest = card.range.highest,
-          .scale = card.prior_scale};
+          .scale = scale};
 }
 
 double start_of(const EffectParameterCard& parameter, const EffectChoice& choice) {
@@ -42,13 +44,13 @@ CalibrationParameter linear_of(const EffectCard& card, const EffectParameterCard
 
 CalibrationParameter logarithm_of(const EffectCard& card, const EffectParameterCard& parameter,
                                   const EffectChoice& choice) {
+  // About the start and not the default: a plate under a small ball is no plate of two kilograms.
   const double start = start_of(parameter, choice);
-  const double lowest = std::max(parameter.range.lowest, parameter.default_value / parameter_reach);
-  const double highest =
-      std::min(parameter.range.highest, parameter.default_value * parameter_reach);
+  const double lowest = std::max(parameter.range.lowest, start / parameter_reach);
+  const double highest = std::min(parameter.range.highest, start * parameter_reach);
   return {.name = card.name + " " + parameter.name,
           .unit = "ln SI",
-          .start = std::log(std::clamp(start, lowest, highest)),
+          .start = std::log(start),
           .lowest = std::log(lowest),
           .highest = std::log(highest),
           .scale = 1.0};

@@ -65,12 +65,44 @@ struct EffectParameterCard {
   double prior_deviation = 0.0;
 };
 
+/// A curve of a free form: what it depends on, and which of the effect's numbers are its points.
+struct CurveCard {
+  struct Point {
+    std::string number;  ///< a parameter; empty: the size
+    double place = 0.0;  ///< over the reach
+    double sign = 1.0;   ///< of the curve in the number
+  };
+  std::string of;                   ///< e.g. "deflection_over_radius"
+  std::string reach{};              ///< parameter that places are shares of; empty: one
+  std::string quantity = "factor";  ///< "factor" is one and the number, any other the number itself
+  std::vector<Point> points{};
+};
+
 /// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,
 /// 0 where either may come of it.
 struct ImpactChange {
   int peak_force = 0;
   int contact_time = 0;
   int restitution = 0;
+};
+
+/// An effect as a file names it, or as a diagnosis adds it.
+struct EffectChoice {
+  std::string name;
+  double size = 0.0;                         ///< SI, by the card
+  std::map<std::string, double> parameters;  ///< those left out take the card's default
+
+  friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
+};
+
+/// Of an effect that is a mass on a spring. What rings has a narrow valley for every frequency: a
+/// diagnosis looks along those that the data can hold, not along the numbers of the card.
+struct OscillatorCard {
+  /// The effect with a frequency [Hz] and a strength: the mass of the ball [kg] over that of the
+  /// plate, or the share of it inside.
+  EffectChoice (*with)(double frequency, double strength, double ball_mass);
+  double (*frequency_of)(const EffectChoice& choice);  ///< [Hz]
+  bool rings_on = false;                               ///< seen when the ball has left
 };
 
 /// All that is said of one effect, once. File format, help, diagnosis, tests
@@ -92,22 +124,15 @@ struct EffectCard {
   /// Sizes from which a diagnosis looks, SI; empty: multiples of the prior scale. For effects
   /// that start all at once, so that derivatives at the null say nothing.
   std::vector<double> tried{};
-  std::string signature;   ///< where it shows
-  std::string experiment;  ///< what would tell it from its rivals
+  std::optional<OscillatorCard> oscillator{};  ///< of a mass that swings
+  std::string signature;                       ///< where it shows
+  std::string experiment;                      ///< what would tell it from its rivals
   std::string source;
   /// Stands for its family where no formula of the list does: never a candidate by its name.
   bool is_free_form = false;
+  std::vector<CurveCard> curves{};  ///< of a free form
   std::optional<ImpactChange>
       moves;  ///< what it moves in FE; must be said where it has a form there
-};
-
-/// An effect as a file names it, or as a diagnosis adds it.
-struct EffectChoice {
-  std::string name;
-  double size = 0.0;                         ///< SI, by the card
-  std::map<std::string, double> parameters;  ///< those left out take the card's default
-
-  friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
 };
 
 /// One effect: its card, and how it changes the plain records of each tier.

@@ -8,11 +8,12 @@ namespace rebound {
 /// The trace of a contact on a plate that moves, carried on after the ball has
 /// left: the load cell goes on reading the plate that rings.
 ///
-///   M ÿ + c ẏ + k y = 0,   force k y + c ẏ
+///   M ÿ + c ẏ + k y = 0,   force k y + c ẏ;   on a frame, both as
+///   lumped/mechanisms/moving_plate.hpp
 ///
 ///   duration   how much longer [s]
 ///
-/// Starts from the displacement column of the trace and its last slope (second
+/// Starts from the displacement columns of the trace and their last slopes (second
 /// order in the sample spacing). A rigid plate, or a trace without the column,
 /// is returned as it is.
 /// Limit: energy of an undamped plate is kept -> test RingDownTest.KeepsItsEnergy.

@@ -10,8 +10,10 @@
 #include "lumped/mechanisms/adhesion.hpp"
 #include "lumped/mechanisms/damping_factors.hpp"
 #include "lumped/mechanisms/finite_sphere.hpp"
+#include "lumped/mechanisms/pull_curves.hpp"
 #include "lumped/mechanisms/reference_scales.hpp"
 #include "lumped/mechanisms/relaxation.hpp"
+#include "lumped/mechanisms/unloading_memory.hpp"
 
 namespace rebound {
 
@@ -43,6 +45,9 @@ ComposedContact::ComposedContact(const LumpedProblem& problem)
       scales_(contact_scales(elastic_, setup_)),
       peak_force_(elastic_.elastic_force(scales_.deflection)),
       pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
+      pull_scale_(std::visit([x = mechanisms_.pull.deflection_reach *
+                                  radius_](const auto& law) { return law.elastic_force(x); },
+                             law_)),
       body_compliance_(0.0) {
   const FiniteSphere& finite = mechanisms_.finite_sphere;
   if (finite.share != 0.0)
@@ -60,7 +65,8 @@ bool ComposedContact::needed(const LumpedProblem& problem) {
 std::size_t ComposedContact::state_count() const {
   const auto& branches = mechanisms_.further_relaxation;
   const bool further = branches[0].ratio != 0.0 || branches[1].ratio != 0.0;
-  return further ? states : further_relaxed;
+  if (frame_moves()) return states;
+  return further ? frame_displacement : further_relaxed;
 }
 
 State ComposedContact::state_scales() const {
@@ -71,6 +77,9 @@ State ComposedContact::state_scales() const {
   const double k = plate_.moves() ? plate_.stiffness : 1.0;
   scale[plate_displacement] = std::min(scales_.deflection, peak_force_ / k);
   scale[plate_velocity] = std::min(setup_.speed, peak_force_ / std::sqrt(k * plate_.mass));
+  const double k_f = plate_.frame.moves() ? plate_.frame.stiffness : 1.0;
+  scale[frame_displacement] = std::min(scales_.deflection, peak_force_ / k_f);
+  scale[frame_velocity] = std::min(setup_.speed, peak_force_ / std::sqrt(k_f * plate_.frame.mass));
   const double omega = mode_angular_frequency(mechanisms_.mode);
   const double acceleration = peak_force_ / setup_.mass;
   scale[mode_displacement] = std::min(scales_.deflection, acceleration / (omega * omega));
@@ -91,7 +100,7 @@ double ComposedContact::closing_speed(const State& y) const {
 
 double ComposedContact::approach_rate(const Phase& phase, const State& y) const {
   const double closing = closing_speed(y);
-  if (body_compliance_ == 0.0) return closing;
+  if (body_compliance_ == 0.0 || phase.kind == Kind::pulled) return closing;
   const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
   // Near the largest x the correction can give, and beyond, the step is refused.
   constexpr double least_share = 0.05;
@@ -116,12 +125,32 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
     const double largest = phase.kind == Kind::loading ? x : phase.largest;
     f.adhesion = -pull_off_ * adhesion_ramp(elastic_.elastic_force(largest), peak_force_);
   }
+  if (mechanisms_.pull.act()) f.adhesion -= pull(phase, y);
+  return f;
+}
+
+double ComposedContact::deflection_left(const Phase& phase, const State& y) const {
+  return remaining_deflection(mechanisms_.memory, y[approach],
+                              phase.kind == Kind::loading ? y[approach] : phase.largest);
+}
+
+double ComposedContact::pull(const Phase& phase, const State& y) const {
+  const double left = deflection_left(phase, y);
+  if (left < 0.0 && phase.kind == Kind::pulled)
+    return pull_scale_ * pull_beyond(mechanisms_.pull, -left, radius_);
+  return pull_scale_ * pull_in_contact(mechanisms_.pull, left, phase.largest, radius_,
+                                       phase.kind != Kind::loading);
+}
+
+ComposedContact::Forces ComposedContact::acting_forces(const Phase& phase, const State& y) const {
+  if (!phase.apart()) return forces(phase, y);
+  Forces f;
+  if (phase.kind == Kind::pulled) f.adhesion = -pull(phase, y);
   return f;
 }
 
 void ComposedContact::derivative(const Phase& phase, const State& y, State& rate) const {
-  const bool open = phase.kind == Kind::open;
-  const Forces f = open ? Forces{} : forces(phase, y);
+  const Forces f = acting_forces(phase, y);
   const double total = f.contact();
   const double closing = closing_speed(y);
   rate = {};
@@ -137,10 +166,16 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
     if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
       rate[further_relaxed + k] = relaxed_rate(branch, f.elastic, y[further_relaxed + k]);
   if (plate_.moves()) {
-    const PlateMotion plate = plate_motion(y);
+    const PlateMotion plate = plate_motion(y), frame = frame_motion(y);
+    const double extension_rate = plate.velocity - frame.velocity;
     rate[plate_displacement] = plate.velocity;
-    rate[plate_velocity] = plate_acceleration(plate_, plate, total);
-    rate[dissipated] += plate_damping(plate_) * plate.velocity * plate.velocity;
+    rate[plate_velocity] = plate_acceleration(plate_, plate, frame, total);
+    rate[dissipated] += plate_damping(plate_) * extension_rate * extension_rate;
+    if (plate_.frame.moves()) {
+      rate[frame_displacement] = frame.velocity;
+      rate[frame_velocity] = frame_acceleration(plate_, plate, frame);
+      rate[dissipated] += frame_damping(plate_.frame) * frame.velocity * frame.velocity;
+    }
   }
   if (mechanisms_.mode.mass_fraction != 0.0) {
     const ModeMotion mode = mode_motion(y);
@@ -154,16 +189,18 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
 double ComposedContact::centre_of_mass_deflection(const Phase& phase, const State& y) const {
   double x =
       y[approach] + y[plate_displacement] + mechanisms_.mode.mass_fraction * y[mode_displacement];
-  if (body_compliance_ != 0.0) x -= body_compliance_ * elastic_.acting(phase, y[approach]);
+  if (body_compliance_ != 0.0 && phase.kind != Kind::pulled)
+    x -= body_compliance_ * elastic_.acting(phase, y[approach]);
   return x;
 }
 
 double ComposedContact::contact_force(const Phase& phase, const State& y) const {
-  return phase.kind == Kind::open ? 0.0 : forces(phase, y).contact();
+  return acting_forces(phase, y).contact();
 }
 
 double ComposedContact::instrument_force(const Phase& phase, const State& y) const {
-  return plate_.moves() ? load_cell_force(plate_, plate_motion(y)) : contact_force(phase, y);
+  return plate_.moves() ? load_cell_force(plate_, plate_motion(y), frame_motion(y))
+                        : contact_force(phase, y);
 }
 
 double ComposedContact::stored_energy(const Phase& phase, const State& y) const {
@@ -178,10 +215,11 @@ double ComposedContact::stored_energy(const Phase& phase, const State& y) const 
 Closures ComposedContact::closures(const Phase& phase, const State& y, double time) const {
   const double m = setup_.mass;
   const double brought = 0.5 * m * setup_.speed * setup_.speed;
-  double found = 0.5 * m * y[velocity] * y[velocity] + stored_energy(phase, y) +
+  const double stored = phase.apart() ? 0.0 : stored_energy(phase, y);
+  double found = 0.5 * m * y[velocity] * y[velocity] + stored +
                  elastic_.lost_energy(phase, y[approach]) + y[dissipated] -
                  m * mechanisms_.gravity * centre_of_mass_deflection(phase, y);
-  if (plate_.moves()) found += plate_energy(plate_, plate_motion(y));
+  if (plate_.moves()) found += plate_energy(plate_, plate_motion(y), frame_motion(y));
   if (mechanisms_.mode.mass_fraction != 0.0)
     found += mode_energy(mechanisms_.mode, mode_motion(y), m);
   const double momentum = m * (setup_.speed - y[velocity]);

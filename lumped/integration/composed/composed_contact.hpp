@@ -30,7 +30,8 @@ namespace rebound {
 /// Caution: zero-force: contact ends where the force without adhesion falls to
 ///          zero, at pull-off; a plate or a mode that rings may bring ball and
 ///          plate together again, which belongs to the same contact. While they
-///          are apart the branch relaxes to no force.
+///          are apart the branch relaxes to no force. A pull that reaches beyond the
+///          plate belongs to the contact, which ends where the pull does.
 class ComposedContact {
  public:
   enum Index {
@@ -46,6 +47,8 @@ class ComposedContact {
     mode_velocity,
     further_relaxed,
     last_relaxed,
+    frame_displacement,
+    frame_velocity,
     states
   };
   using State = std::array<double, states>;
@@ -59,7 +62,8 @@ class ComposedContact {
 
   const ContactSetup& setup() const { return setup_; }
   const ContactScales& scales() const { return scales_; }
-  /// States that a problem has: the last two are those of further branches. An integrator whose
+  /// States that a problem has: the last four are those of further branches and of a frame. An
+  /// integrator whose
   /// error is a mean over the states takes no more.
   std::size_t state_count() const;
   /// Sizes of the states; local errors are taken of them.
@@ -73,9 +77,10 @@ class ComposedContact {
   /// What the instrument reads: the load cell where the plate moves [N].
   double instrument_force(const Phase& phase, const State& y) const;
   bool plate_moves() const { return plate_.moves(); }
+  bool frame_moves() const { return plate_.moves() && plate_.frame.moves(); }
 
   /// Something that ends a phase: its indicator passes zero in a direction.
-  enum class Event { turning, reloading, released, separated, touching, gone };
+  enum class Event { turning, reloading, released, separated, ruptured, touching, gone };
   struct EventFunction {
     Event event;
     bool falling;  ///< passes zero downwards
@@ -87,12 +92,13 @@ class ComposedContact {
   /// What is to be watched in a phase.
   EventFunctions event_functions(const Phase& phase) const;
   /// Turning: rate of approach. Reloading: approach past the largest. Released:
-  /// force without adhesion. Separated: deflection left. Touching: the lesser
-  /// of both, a millionth of its scale above zero. Gone: reach of the ringing parts beyond first
-  /// touch.
+  /// force without adhesion. Separated: deflection left. Ruptured: reach of a pull beyond the
+  /// plate, less the gap. Touching: the lesser of both, a millionth of its scale above zero. Gone:
+  /// reach of the ringing parts beyond first touch.
   double indicator(Event event, const Phase& phase, const State& y) const;
 
-  /// The phase after `event`, its energy step counted in y; nothing at the end.
+  /// The phase after `event`, its energy step counted in y; nothing at the end. Where it is nothing
+  /// or open, the contact has ended, for now at least.
   std::optional<Phase> next_phase(Event event, const Phase& phase, State& y) const;
 
   Closures closures(const Phase& phase, const State& y, double time) const;
@@ -106,10 +112,19 @@ class ComposedContact {
   static PlateMotion plate_motion(const State& y) {
     return {y[plate_displacement], y[plate_velocity]};
   }
+  static PlateMotion frame_motion(const State& y) {
+    return {y[frame_displacement], y[frame_velocity]};
+  }
   static ModeMotion mode_motion(const State& y) { return {y[mode_displacement], y[mode_velocity]}; }
   double closing_speed(const State& y) const;
   double approach_rate(const Phase& phase, const State& y) const;
+  /// As if they touched.
   Forces forces(const Phase& phase, const State& y) const;
+  /// Those that act: of a pull alone, or none, while they are apart.
+  Forces acting_forces(const Phase& phase, const State& y) const;
+  double pull(const Phase& phase, const State& y) const;
+  /// Deflection that is left for the elastic force; negative: a gap.
+  double deflection_left(const Phase& phase, const State& y) const;
   double stored_energy(const Phase& phase, const State& y) const;
   bool remembers() const;
   bool may_touch_again(const State& y) const;
@@ -124,6 +139,7 @@ class ComposedContact {
   ContactScales scales_;
   double peak_force_;       ///< elastic force at the scale deflection [N]
   double pull_off_;         ///< P [N]
+  double pull_scale_;       ///< F_r of a pull without a formula [N]
   double body_compliance_;  ///< c [m/N]
 };
 

@@ -81,11 +81,13 @@ const ComposedEnd& ComposedCvode::integrate() {
     const Event event =
         event_functions.list[static_cast<std::size_t>(first - reached.events.begin())].event;
     State state = state_at(solver_.state(), contact_.state_count());
-    if (event == Event::released || event == Event::separated) {
-      end_ = {reached.time, state, phase_};
+    const ComposedEnd here{reached.time, state, phase_};
+    const auto next = contact_.next_phase(event, phase_, state);
+    const bool gone = event == Event::gone;
+    if (!gone && (!next || next->kind == ContactPhase::Kind::open)) {
+      end_ = here;
       segments_at_release = segments_.size();
     }
-    const auto next = contact_.next_phase(event, phase_, state);
     if (!next) {
       segments_.resize(segments_at_release);
       require_rebound({.velocity = end_.state[ComposedContact::velocity]}, contact_.setup());

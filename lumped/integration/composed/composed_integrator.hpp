@@ -77,6 +77,7 @@ class ComposedIntegrator {
   bool finish_if_over(const Found& found, Start& start);
 
   const ComposedContact& contact_;
+  std::size_t states_used_;
   State weight_{};  ///< 1 / absolute tolerance of each state
   ComposedEnd end_;
   std::vector<ComposedStepEnd> step_ends_count_;

@@ -12,11 +12,12 @@ using Kind = ContactPhase::Kind;
 using State = ComposedContact::State;
 
 bool ComposedContact::remembers() const {
-  return mechanisms_.memory != UnloadingMemory{} || pull_off_ != 0.0;
+  return mechanisms_.memory != UnloadingMemory{} || pull_off_ != 0.0 || mechanisms_.pull.act();
 }
 
 ComposedContact::EventFunctions ComposedContact::event_functions(const Phase& phase) const {
   if (phase.kind == Kind::open) return {{{{Event::touching, false}, {Event::gone, true}}}, 2};
+  if (phase.kind == Kind::pulled) return {{{{Event::touching, false}, {Event::ruptured, true}}}, 2};
   EventFunctions event_functions;
   event_functions.list[event_functions.count++] = {Event::separated, true};
   if (setup_.separation == SeparationRule::zero_force)
@@ -29,8 +30,7 @@ ComposedContact::EventFunctions ComposedContact::event_functions(const Phase& ph
 }
 
 double ComposedContact::indicator(Event event, const Phase& phase, const State& y) const {
-  const double left = remaining_deflection(
-      mechanisms_.memory, y[approach], phase.kind == Kind::loading ? y[approach] : phase.largest);
+  const double left = deflection_left(phase, y);
   switch (event) {
     case Event::turning: return closing_speed(y);
     case Event::reloading: return y[approach] - phase.largest;
@@ -38,6 +38,7 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
     case Event::separated:
       return setup_.separation == SeparationRule::zero_force ? left
                                                              : centre_of_mass_deflection(phase, y);
+    case Event::ruptured: return mechanisms_.pull.gap_reach * radius_ + left;
     case Event::touching: {
       // Clear of the zero at which they parted, or rounding would close it again.
       constexpr double clearance = 1e-6;
@@ -48,7 +49,7 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
     case Event::gone: {
       double reach = y[velocity] < 0.0 ? centre_of_mass_deflection(phase, y) : scales_.deflection;
       if (plate_.moves())
-        reach += std::sqrt(2.0 * plate_energy(plate_, plate_motion(y)) / plate_.stiffness);
+        reach += plate_reach(plate_, plate_energy(plate_, plate_motion(y), frame_motion(y)));
       const InternalMode& mode = mechanisms_.mode;
       if (mode.mass_fraction != 0.0)
         reach += mode.mass_fraction *
@@ -63,7 +64,8 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
 bool ComposedContact::may_touch_again(const State& y) const {
   double fastest = 0.0;
   if (plate_.moves())
-    fastest += std::sqrt(2.0 * plate_energy(plate_, plate_motion(y)) / plate_.mass);
+    fastest +=
+        std::sqrt(2.0 * plate_energy(plate_, plate_motion(y), frame_motion(y)) / plate_.mass);
   const InternalMode& mode = mechanisms_.mode;
   if (mode.mass_fraction != 0.0)
     fastest += mode.mass_fraction *
@@ -82,9 +84,16 @@ std::optional<ContactPhase> ComposedContact::next_phase(Event event, const Phase
       return next;
     }
     case Event::released:
-    case Event::separated: {
+    case Event::separated:
+      if (mechanisms_.pull.gap_reach > 0.0) {
+        y[dissipated] += stored_energy(phase, y);
+        return Phase{Kind::pulled, phase.kind == Kind::loading ? y[approach] : phase.largest};
+      }
+      [[fallthrough]];
+    case Event::ruptured: {
       if (setup_.separation != SeparationRule::zero_force || !may_touch_again(y)) return {};
-      y[dissipated] += stored_energy(phase, y);  // what the ball holds while it is free
+      if (!phase.apart())
+        y[dissipated] += stored_energy(phase, y);  // what the ball holds while it is free
       return Phase{Kind::open, phase.kind == Kind::loading ? y[approach] : phase.largest};
     }
     case Event::gone: break;

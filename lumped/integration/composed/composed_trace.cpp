@@ -9,6 +9,7 @@ TraceRecorder::TraceRecorder(const ComposedContact& contact, int samples) : cont
   trace_.deflection.reserve(size);
   if (!contact.plate_moves()) return;
   trace_.further = {{"contact_force_N", {}}, {"plate_displacement_m", {}}};
+  if (contact.frame_moves()) trace_.further.push_back({"frame_displacement_m", {}});
   for (auto& column : trace_.further) column.values.reserve(size);
 }
 
@@ -20,6 +21,8 @@ void TraceRecorder::record(double time, const ContactPhase& phase,
   if (!contact_.plate_moves()) return;
   trace_.further[0].values.push_back(contact_.contact_force(phase, state));
   trace_.further[1].values.push_back(state[ComposedContact::plate_displacement]);
+  if (contact_.frame_moves())
+    trace_.further[2].values.push_back(state[ComposedContact::frame_displacement]);
 }
 
 }  // namespace rebound

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include "comparisons/models/effects/effect.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -15,6 +18,17 @@ Plate compliant_plate(const EffectChoice& choice, const Plate& before) {
   plate.mass = choice.parameters.at("mass");
   plate.damping_ratio = choice.parameters.at("damping_ratio");
   return plate;
+}
+
+EffectChoice ringing_plate(double frequency, double strength, double ball_mass) {
+  const double omega = 2.0 * std::numbers::pi * frequency, mass = ball_mass / strength;
+  return {.name = "plate-compliance",
+          .size = 1.0 / (mass * omega * omega),
+          .parameters = {{"mass", mass}, {"damping_ratio", 0.02}}};
+}
+
+double frequency_of_plate(const EffectChoice& choice) {
+  return 0.5 / (std::numbers::pi * std::sqrt(choice.size * choice.parameters.at("mass")));
 }
 
 }  // namespace
@@ -43,6 +57,7 @@ Effect plate_compliance_effect() {
                                .default_value = 0.02,
                                .fitted = true,
                                .tried = {0.02}}},
+               .oscillator = OscillatorCard{ringing_plate, frequency_of_plate, true},
                .signature = "Ringing after contact at a frequency that neither ball nor speed "
                             "changes; impulse of the cell and rebound speed disagree.",
                .experiment = "Strike the bare plate with a hammer; put another mass on it; rebound "

@@ -33,6 +33,16 @@ inline std::vector<EffectParameterCard> curve_points(const std::string& prefix, 
   return points;
 }
 
+/// What stands in a card of such a curve over `of`; the point `size_at` is the size of the effect.
+inline CurveCard curve_card(const std::string& of, const std::string& reach,
+                            const std::string& prefix, std::size_t size_at = FactorCurve::points) {
+  CurveCard card{.of = of, .reach = reach};
+  for (std::size_t k = 0; k < FactorCurve::points; ++k)
+    card.points.push_back({k == size_at ? "" : prefix + "_" + std::to_string(k),
+                           static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1)});
+  return card;
+}
+
 /// The curve of those numbers; further points stay as they are.
 inline FactorCurve curve_of(const EffectChoice& choice, const std::string& prefix, int count,
                             double end) {

@@ -22,7 +22,9 @@ Effect damping_curves_effect() {
           "deflection, and not where the ball turns.",
       .experiment = "Further speeds; the rate at a deflection is what changes.",
       .source = "piecewise cubic factors; restoring force surface, Masri & Caughey 1979",
-      .is_free_form = true};
+      .is_free_form = true,
+      .curves = {curve_card("deflection_over_radius", "deflection_reach", "deflection"),
+                 curve_card("rate_m_s", "rate_reach", "rate", 2)}};
   const std::vector<EffectParameterCard> rates = curve_points("rate", 6);
   for (const std::size_t k : {0, 1, 3, 4, 5}) card.parameters.push_back(rates[k]);
   card.parameters.push_back({.name = "deflection_reach",

@@ -22,7 +22,8 @@ Effect elastic_curve_effect() {
       .source =
           "piecewise cubic factor; discrepancy as a function of the state, Kennedy & O'Hagan "
           "2001",
-      .is_free_form = true};
+      .is_free_form = true,
+      .curves = {curve_card("deflection_over_radius", "reach", "at", FactorCurve::points - 1)}};
   card.parameters.push_back({.name = "reach",
                              .sentence = "Deflection over radius at the last point.",
                              .dimension = dimension::none,

@@ -1,6 +1,20 @@
 #include "comparisons/models/effects/free_form/curve_points.hpp"
 
+#include "lumped/mechanisms/unloading_memory.hpp"
+
 namespace rebound {
+namespace {
+
+/// Over x/x_max; the last point, where unloading begins, is held at one.
+CurveCard unloading_card() {
+  CurveCard card = curve_card("share_of_largest_deflection", "", "at", 2);
+  card.points.pop_back();
+  card.points[2].sign = -1.0;
+  for (CurveCard::Point& point : card.points) point.place = unloading_share(point.place);
+  return card;
+}
+
+}  // namespace
 
 Effect unloading_curve_effect() {
   return {.card = {.name = "unloading-curve",
@@ -20,7 +34,8 @@ Effect unloading_curve_effect() {
                                 "speed and rate.",
                    .experiment = "A slow cycle: what is left of the loop at no rate is history.",
                    .source = "piecewise cubic factor; Walton & Braun 1986 for the kind",
-                   .is_free_form = true},
+                   .is_free_form = true,
+                   .curves = {unloading_card()}},
           .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
             FactorCurve curve{.end = 1.0};
             for (const std::size_t k : {0, 1, 3, 4})

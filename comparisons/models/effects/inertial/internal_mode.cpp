@@ -1,6 +1,19 @@
 #include "comparisons/models/effects/effect.hpp"
 
 namespace rebound {
+namespace {
+
+EffectChoice ringing_ball(double frequency, double strength, double /*ball_mass*/) {
+  return {.name = "internal-mode",
+          .size = strength,
+          .parameters = {{"frequency", frequency}, {"damping_ratio", 0.02}}};
+}
+
+double frequency_of_mode(const EffectChoice& choice) {
+  return choice.parameters.at("frequency");
+}
+
+}  // namespace
 
 Effect internal_mode_effect() {
   return {
@@ -26,6 +39,7 @@ Effect internal_mode_effect() {
                                .default_value = 0.02,
                                .fitted = true,
                                .tried = {0.02}}},
+               .oscillator = OscillatorCard{ringing_ball, frequency_of_mode},
                .signature = "Ripple of fixed frequency on the force, whatever the speed; energy "
                             "missing from the rebound that is not in the loop.",
                .experiment = "Spectrum of the force against the ball's own modes (tap test); the "

@@ -134,18 +134,18 @@ report::Overlay overlay_of(const CoreStudy& core, std::size_t s) {
 }
 
 report::Table scalar_table(const CoreStudy& core, std::size_t s) {
-  using Kind = report::TableColumn::Kind;
+  using ColumnKind = report::TableColumn::Kind;
   const StudyShot& shot = core.shots[s];
   report::Table table{.title = "Scalars side by side",
                       .caption =
                           "FE ± distance between its two meshes. Contact time by "
                           "zero force; FE also above the instrument's threshold.",
-                      .columns = {{"", "", Kind::text, {}},
-                                  {"restitution", "1", Kind::number, {}},
-                                  {"contact time", "ms", Kind::number, {}},
-                                  {"peak force", "N", Kind::number, {}},
-                                  {"peak deflection", "mm", Kind::number, {}},
-                                  {"mean deflection", "mm", Kind::number, {}}},
+                      .columns = {{"", "", ColumnKind::text, {}},
+                                  {"restitution", "1", ColumnKind::number, {}},
+                                  {"contact time", "ms", ColumnKind::number, {}},
+                                  {"peak force", "N", ColumnKind::number, {}},
+                                  {"peak deflection", "mm", ColumnKind::number, {}},
+                                  {"mean deflection", "mm", ColumnKind::number, {}}},
                       .rows = {}};
   const auto measured = [](const Measured& value, double factor) {
     if (!value.value) return report::text_cell("–");

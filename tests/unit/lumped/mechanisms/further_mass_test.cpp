@@ -45,6 +45,38 @@ TEST(MovingPlateTest, FreePlateIsTwoBodies) {
   EXPECT_NEAR(*std::max_element(force.begin(), force.end()) / relative.peak_force, 1.0, 1e-4);
 }
 
+TEST(PlateFrameTest, AStiffFrameIsNone) {
+  const auto on_floor = with(test::typical_problem("hunt-crossley"), [](Mechanisms& m) {
+    m.plate = {.stiffness = 2e7, .mass = 1.0, .damping_ratio = 0.05};
+  });
+  const auto on_frame =
+      with(on_floor, [](Mechanisms& m) { m.plate.frame = {.stiffness = 1e12, .mass = 5.0}; });
+  test::expect_same_impact(on_floor, on_frame, 1e-4);
+}
+
+// A frame of no mass puts its spring behind that of the cell: 1/k = 1/k_cell + 1/k_frame.
+TEST(PlateFrameTest, ALightFrameIsASpringInSeries) {
+  const auto in_series = with(elastic_problem(), [](Mechanisms& m) {
+    m.plate = {.stiffness = 1e7, .mass = 1.0, .damping_ratio = 0.0};
+  });
+  const auto on_frame = with(elastic_problem(), [](Mechanisms& m) {
+    m.plate = {.stiffness = 2e7, .mass = 1.0, .damping_ratio = 0.0};
+    m.plate.frame = {.stiffness = 2e7, .mass = 1e-4, .damping_ratio = 0.0};
+  });
+  test::expect_same_impact(in_series, on_frame, 1e-3);
+}
+
+TEST(PlateFrameTest, CvodeSaysTheSameAndEnergyIsKept) {
+  const auto problem = with(test::typical_problem("hunt-crossley"), [](Mechanisms& m) {
+    m.plate = {.stiffness = 2e7, .mass = 1.0, .damping_ratio = 0.05};
+    m.plate.frame = {.stiffness = 3e7, .mass = 2.0, .damping_ratio = 0.1};
+  });
+  const LumpedResult fast = simulate_fast(problem), slow = simulate(problem);
+  EXPECT_NEAR(fast.scalars.restitution, slow.scalars.restitution, 1e-6);
+  EXPECT_NEAR(fast.scalars.peak_force / slow.scalars.peak_force, 1.0, 1e-5);
+  EXPECT_LT(fast.closures.energy, 1e-7);
+}
+
 // What the load cell reads is the spring and the damper, not the contact: its
 // impulse is short of the ball's by the plate's momentum.
 TEST(MovingPlateTest, LoadCellMissesThePlatesMomentum) {

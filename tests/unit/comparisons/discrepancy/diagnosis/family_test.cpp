@@ -1,6 +1,7 @@
 // An effect that is in no formula of the list: its family is said, with the curve, and no name.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
@@ -42,6 +43,48 @@ TEST(FamilyTest, ABulgeInTheElasticForceIsOfTheElasticFamily) {
   }
   EXPECT_GE(right, 4);
   EXPECT_EQ(wrong, 0);
+}
+
+/// A pull that grows with the deflection, is larger on the way back, and lets go a tenth of the
+/// reach beyond the plate.
+EffectChoice sticky_surface() {
+  return {"pull-curves",
+          0.03,
+          {{"way_in_2", 0.006},
+           {"way_in_5", 0.01},
+           {"way_back_1", 0.025},
+           {"way_back_2", 0.02},
+           {"way_back_3", 0.01},
+           {"way_back_4", 0.004},
+           {"reach", 0.3},
+           {"gap_over_reach", 0.1}}};
+}
+
+TEST(FamilyTest, APullBeyondThePlateIsOfTheSurfaceFamily) {
+  int right = 0, wrong = 0;
+  for (const int seed : {21, 22, 23}) {
+    const Diagnosis d = diagnose_hidden(experiment_with({sticky_surface()}, seed));
+    right += d.verdict == DiagnosisVerdict::family && d.family == EffectFamily::surface;
+    wrong += d.verdict == DiagnosisVerdict::missing || d.family != EffectFamily::surface;
+  }
+  EXPECT_GE(right, 2);
+  EXPECT_EQ(wrong, 0);
+}
+
+// What a diagnosis looks for is measured in the ball and its contact, not in kilograms.
+TEST(FamilyTest, APlateUnderASmallBallIsFound) {
+  for (const int seed : {31, 32}) {
+    SynthesisFile file = experiment_with(
+        {{"plate-compliance", 1e-8, {{"mass", 0.012}, {"damping_ratio", 0.03}}}}, seed);
+    file.sphere = {.mass = 5e-3, .diameter = 20e-3};
+    file.mass_uncertainty = 1e-5;
+    file.instrument.force_noise = 1.0;
+    const Diagnosis d = diagnose_hidden(file);
+    EXPECT_EQ(d.family, EffectFamily::dynamics);
+    EXPECT_TRUE(std::any_of(d.candidates.begin(), d.candidates.end(), [](const auto& names) {
+      return names == std::vector<std::string>{"plate-compliance"};
+    }));
+  }
 }
 
 // A straight line between impacts that are one per cent apart, two per cent away.

@@ -79,7 +79,9 @@ TEST(MeasurementFaultTest, TheShotIsNamed) {
   ASSERT_FALSE(d.selection.indistinguishable.empty());
   for (const std::size_t i : d.selection.indistinguishable)
     for (const EffectChoice& effect : d.selection.tried[i].fit.effects)
-      if (effect.name == "shot-gain") EXPECT_EQ(effect.parameters.at("shot"), 3.0);
+      if (effect.name == "shot-gain") {
+        EXPECT_EQ(effect.parameters.at("shot"), 3.0);
+      }
 }
 
 TEST(MeasurementFaultTest, AStatedBandwidthIsNoFault) {

@@ -40,6 +40,28 @@ TEST(RingDownTest, DampingTakesEnergy) {
   EXPECT_LT(std::abs(after.force.back()), 100.0);
 }
 
+// Equal masses on equal springs: the slower mode has z/y = 0.618 and ω² = 0.382 k/m.
+TEST(RingDownTest, APlateOnAFrameRingsInItsModes) {
+  const Plate plate{.stiffness = 5e7,
+                    .mass = 2.0,
+                    .damping_ratio = 0.0,
+                    .frame = {.stiffness = 5e7, .mass = 2.0, .damping_ratio = 0.0}};
+  const double share = 0.5 * (std::sqrt(5.0) - 1.0), omega = share * std::sqrt(5e7 / 2.0);
+  Trace trace;
+  std::vector<double> y, z;
+  for (int i = 0; i <= 400; ++i) {
+    trace.time.push_back(1e-3 * i / 400);
+    y.push_back(1e-4 * std::sin(omega * trace.time.back()));
+    z.push_back(share * y.back());
+    trace.force.push_back(5e7 * (y.back() - z.back()));
+  }
+  trace.further = {{"plate_displacement_m", y}, {"frame_displacement_m", z}};
+  const Trace after = with_ring_down(trace, plate, 5e-3);
+  const double amplitude = 5e3 * (1.0 - share);
+  for (std::size_t i = trace.time.size(); i < after.time.size(); ++i)
+    EXPECT_NEAR(after.force[i], amplitude * std::sin(omega * after.time[i]), amplitude * 2e-3);
+}
+
 TEST(RingDownTest, ARigidPlateIsLeftAlone) {
   const Trace before = ringing({.stiffness = 5e7, .mass = 2.0}, 1e-3, 100);
   EXPECT_EQ(with_ring_down(before, {}, 1e-3).time, before.time);

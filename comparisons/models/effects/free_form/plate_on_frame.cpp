@@ -1,0 +1,77 @@
+#include "comparisons/models/effects/effect.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+EffectParameterCard frame_ratio(const std::string& name, const std::string& sentence,
+                                std::vector<double> tried) {
+  return {.name = name,
+          .sentence = sentence,
+          .dimension = dimension::none,
+          .range = from_to(1e-3, 1e3),
+          .default_value = 1.0,
+          .fitted = true,
+          .tried = std::move(tried)};
+}
+
+Plate plate_on_frame(const EffectChoice& choice, const Plate& before) {
+  if (before.moves())
+    throw Error(ExitCode::bad_input,
+                "'plate-on-frame' needs a plate that stands still before; give the stiffness in "
+                "[model.plate] or by the effect");
+  const auto number = [&](const char* name) { return choice.parameters.at(name); };
+  Plate plate = before;
+  plate.stiffness = 1.0 / choice.size;
+  plate.mass = number("mass");
+  plate.damping_ratio = number("damping_ratio");
+  plate.frame = {.stiffness = plate.stiffness * number("frame_stiffness_ratio"),
+                 .mass = plate.mass * number("frame_mass_ratio"),
+                 .damping_ratio = plate.damping_ratio};
+  return plate;
+}
+
+}  // namespace
+
+Effect plate_on_frame_effect() {
+  return {
+      .card = {.name = "plate-on-frame",
+               .kind = EffectKind::boundary,
+               .family = EffectFamily::dynamics,
+               .sentence = "The plate gives way, and so does what its load cell stands on: the "
+                           "dynamics family with two masses.",
+               .equation = "M y'' = F - C, M_f z'' = C - k_f z - c_f z', C = k (y - z) + c (y' - "
+                           "z'), s = 1/k; the law sees x - y, the cell reads C",
+               .size_dimension = dimension::length / dimension::force,
+               .range = from_to(0.0, 1.0),
+               .prior_scale = 2e-08,
+               .parameters = {{.name = "mass",
+                               .sentence = "Mass of the plate.",
+                               .dimension = dimension::mass,
+                               .range = limit_of<&Plate::mass>.range,
+                               .default_value = 2.0,
+                               .fitted = true},
+                              {.name = "damping_ratio",
+                               .sentence = "Damping ratio of the load cell, and of the frame.",
+                               .dimension = dimension::none,
+                               .range = limit_of<&Plate::damping_ratio>.range,
+                               .default_value = 0.02,
+                               .fitted = true,
+                               .tried = {0.02}},
+                              frame_ratio("frame_stiffness_ratio",
+                                          "Stiffness of the frame over that of the load cell.",
+                                          {0.7, 2.0}),
+                              frame_ratio("frame_mass_ratio",
+                                          "Mass of the frame over that of the plate.", {2.0})},
+               .signature = "Ringing after contact at two frequencies that neither ball nor speed "
+                            "changes.",
+               .experiment = "Strike the bare plate and the bare frame with a hammer.",
+               .source = "two degrees of freedom in series, e.g. Meirovitch 2001",
+               .is_free_form = true},
+      .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
+        Plate& plate = problem.model.mechanisms.plate;
+        if (choice.size > 0.0) plate = plate_on_frame(choice, plate);
+      }};
+}
+
+}  // namespace rebound
