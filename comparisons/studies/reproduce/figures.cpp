@@ -17,6 +17,7 @@ const report::Axis time_axis{"time", "ms"};
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> result;
+  result.reserve(values.size());
   for (const double value : values) result.push_back(factor * value);
   return result;
 }

@@ -13,6 +13,7 @@ constexpr double milli = 1e3;
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> result;
+  result.reserve(values.size());
   for (const double value : values) result.push_back(factor * value);
   return result;
 }
