@@ -1,5 +1,3 @@
-#include <deal.II/base/config.h>
-
 #include "fem/discretisation/discretisation.hpp"
 #include "fem/element_tests/element_checks.hpp"
 #include "fem/explicit/explicit_impact.hpp"

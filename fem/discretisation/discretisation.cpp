@@ -59,6 +59,7 @@ std::vector<double> areas_of(const std::vector<int>& nodes, const Mesh& mesh,
     area[node_of_vertex[second]] += at_second;
   }
   std::vector<double> areas;
+  areas.reserve(nodes.size());
   for (const int node : nodes) areas.push_back(area[node]);
   return areas;
 }

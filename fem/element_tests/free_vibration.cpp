@@ -129,7 +129,7 @@ Modes lowest_modes(const Pencil& pencil) {
     const Eigen::MatrixXd k = y.transpose() * (stiffness * y), m = y.transpose() * (mass * y);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(k, m);
     x = y * small.eigenvectors();
-    const Eigen::VectorXd now = small.eigenvalues();
+    const Eigen::VectorXd& now = small.eigenvalues();
     const Eigen::Index watched = std::min<Eigen::Index>(reported + 1, width);
     const bool still =
         (now - before).head(watched).cwiseAbs().maxCoeff() < 1e-11 * now[watched - 1];

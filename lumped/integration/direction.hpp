@@ -18,15 +18,16 @@ struct Direction {
 inline constexpr std::size_t most_directions = 6;
 
 /// Calls `use` with an array of two, four or six directions, filled up with nothing: the
-/// integrator is compiled for these widths.
+/// integrator is compiled for these widths, or for those of them from `Least` on.
 /// Errors: none; at most `most_directions` are taken.
-template <class Use>
+template <std::size_t Least = 1, class Use>
 decltype(auto) with_width(std::span<const Direction> by, Use&& use) {
   const auto filled = [&]<std::size_t Width>(std::array<Direction, Width> directions) {
     std::copy_n(by.begin(), std::min(by.size(), Width), directions.begin());
     return directions;
   };
-  if (by.size() <= 2) return use(filled(std::array<Direction, 2>{}));
+  if constexpr (Least <= 2)
+    if (by.size() <= 2) return use(filled(std::array<Direction, 2>{}));
   if (by.size() <= 4) return use(filled(std::array<Direction, 4>{}));
   return use(filled(std::array<Direction, most_directions>{}));
 }

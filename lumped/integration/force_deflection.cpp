@@ -173,7 +173,7 @@ std::vector<double> forces_at(const LumpedProblem& problem, const DeflectionPoin
   if (ComposedContact::needed(problem)) return composed_forces_at(problem, points);
   const ContactSetup setup = checked_setup(problem);
   std::vector<double> forces(points.deflection.size());
-  std::visit(
+  visit_stateless(
       [&]<class Law>(const Law& law) {
         ForceDeflection<Law, 0>(law, setup, {}).fill(points, 0, forces, {});
       },
@@ -188,7 +188,7 @@ ForcesWithSensitivities forces_with_sensitivities_at(const LumpedProblem& proble
   const ContactSetup setup = checked_setup(problem);
   ForcesWithSensitivities forces{std::vector<double>(points.deflection.size()),
                                  std::vector<double>(points.deflection.size() * by.size())};
-  std::visit(
+  visit_stateless(
       [&]<class Law>(const Law& law) {
         with_width(by, [&]<std::size_t Width>(const std::array<Direction, Width>& filled) {
           ForceDeflection<Law, Width>(law, setup, filled)

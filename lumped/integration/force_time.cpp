@@ -66,7 +66,7 @@ TimedForces forces_at_instants(const LumpedProblem& problem, std::span<const dou
   if (by.empty() && ComposedContact::needed(problem)) return composed(problem, instants);
   require_bare(problem);
   const ContactSetup setup = checked_setup(problem);
-  std::visit(
+  visit_stateless(
       [&]<class Law>(const Law& law) {
         if (by.empty()) return fill<Law, 0>(law, setup, {}, instants, result);
         with_width(by, [&](const auto& filled) { fill(law, setup, filled, instants, result); });

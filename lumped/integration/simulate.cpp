@@ -72,7 +72,7 @@ LumpedResult simulate_fast(const LumpedProblem& problem) {
   result.trace.force.resize(samples);
   result.trace.deflection.resize(samples);
   const auto start = std::chrono::steady_clock::now();
-  const ContactEnd end = std::visit(
+  const ContactEnd end = visit_stateless(
       [&]<class Law>(const Law& l) {
         FastIntegrator<Law> integrator(l, setup);
         integrator.integrate();

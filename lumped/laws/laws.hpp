@@ -7,6 +7,7 @@
 
 #include "lumped/laws/law_card.hpp"
 #include "lumped/laws/law_headers.hpp"  // written by CMake from laws.inc
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -43,5 +44,21 @@ template <class Law>
 inline constexpr bool law_has_branch = requires(const Law law) {
   law.branch();
 };
+
+/// std::visit over the laws without a state of their own: nothing is compiled for the others.
+/// Errors: Error(bad_input) for a law with a state of its own.
+template <class Visitor>
+decltype(auto) visit_stateless(Visitor&& visitor, const AnyLaw& law) {
+  using Result = std::invoke_result_t<Visitor, const std::variant_alternative_t<0, AnyLaw>&>;
+  return std::visit(
+      [&]<class Law>(const Law& one) -> Result {
+        if constexpr (law_has_branch<Law>)
+          throw Error(ExitCode::bad_input, "the law has a state of its own",
+                      {.key = "law", .value = Law::card().name, .allowed = "a law without memory"});
+        else
+          return visitor(one);
+      },
+      law);
+}
 
 }  // namespace rebound

@@ -74,7 +74,7 @@ HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesi
                    [](const Start& a, const Start& b) { return a.chi_square < b.chi_square; });
   for (std::size_t i = 0; i < std::min(grid_starts, starts.size()); ++i)
     search_from(starts[i].hypothesis);
-  if (!best) throw failure;
+  if (!best) throw Error(failure);
   return std::move(*best);
 }
 

@@ -123,7 +123,7 @@ HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
       failure = error;
     }
   }
-  if (!best) throw failure;
+  if (!best) throw Error(failure);
   return std::move(*best);
 }
 

@@ -85,6 +85,7 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
                          .first_phase = first_phase,
                          .phase_step = (last_phase - first_phase) / (phases - 1)};
   std::vector<double> time;
+  time.reserve(phases);
   for (int k = 0; k < phases; ++k)
     time.push_back((first_phase + k * curve.phase_step) * lumped.scalars.contact_time);
   const std::vector<double> model = reported_force(lumped.trace, {}, time);

@@ -66,6 +66,7 @@ double noise_of(const Observations& seen, const Trace& trace) {
 double separation(const Observations& seen, const Trace& a, const Trace& b) {
   const double end = 1.2 * std::max(a.time.back(), b.time.back());
   std::vector<double> time;
+  time.reserve(samples);
   for (int i = 0; i < samples; ++i) time.push_back(end * (i + 0.5) / samples);
   const auto force_a = reported_force(a, {}, time), force_b = reported_force(b, {}, time);
   const double shift = 1e-3 * end;

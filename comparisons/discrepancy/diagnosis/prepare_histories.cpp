@@ -106,6 +106,7 @@ bool contradicts(const EstimatedNoise& noise, double stated, double independent)
 void settle_noise(const std::string& dataset, const std::vector<Record>& records,
                   Observations& seen) {
   std::vector<std::span<const double>> stretches;
+  stretches.reserve(records.size());
   for (const Record& record : records) stretches.push_back(record.quiet());
   const EstimatedNoise noise = estimate_noise(stretches);
   constexpr int fewest_for_colour = 40;

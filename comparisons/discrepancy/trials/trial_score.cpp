@@ -115,6 +115,7 @@ void count_unseen(const TrialOutcome& o, Share& better) {
 
 void gather_times(const std::vector<TrialOutcome>& outcomes, TrialScores& scores) {
   std::vector<double> seconds;
+  seconds.reserve(outcomes.size());
   for (const TrialOutcome& o : outcomes) seconds.push_back(o.seconds);
   if (seconds.empty()) return;
   std::sort(seconds.begin(), seconds.end());

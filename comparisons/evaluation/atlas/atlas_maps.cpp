@@ -31,7 +31,8 @@ AtlasSpread spread_of(const Atlas& atlas, const AtlasQuantity& quantity, std::si
   if (sizes.empty()) return spread;
   std::sort(sizes.begin(), sizes.end());
   const auto at = [&](double share) {
-    return sizes[static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1) + 0.5)];
+    return sizes[static_cast<std::size_t>(
+        std::lround(share * static_cast<double>(sizes.size() - 1)))];
   };
   spread.median = at(0.5);
   spread.ninetieth = at(0.9);

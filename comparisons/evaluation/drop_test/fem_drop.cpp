@@ -24,6 +24,7 @@ std::vector<double> slopes_of(const FemProblem& problem, const std::vector<std::
                               const FemRunner& run) {
   const auto numbers = material_numbers(problem.material, 1.0);
   std::vector<FreeMaterialNumber> free;
+  free.reserve(names.size());
   for (const auto& name : names) free.push_back(find_material_number(numbers, name));
   std::vector<double> found(2 * free.size());
   in_parallel(found.size(), [&](std::size_t i) {

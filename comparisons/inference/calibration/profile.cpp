@@ -144,7 +144,7 @@ class Walk {
     inside_ = point;
   }
   Point search(double value) {
-    const Point point = held_.point_at(value, inside_, control_);
+    Point point = held_.point_at(value, inside_, control_);
     if (std::isfinite(point.cost)) side_.points.push_back(point);
     return point;
   }

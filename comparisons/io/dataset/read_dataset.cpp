@@ -18,7 +18,7 @@ std::filesystem::path file_in_folder(const Document& document, const std::string
                                      const std::string& written) {
   std::error_code status;
   const auto folder = std::filesystem::weakly_canonical(document.folder(), status);
-  const auto file = std::filesystem::weakly_canonical(folder / written, status);
+  auto file = std::filesystem::weakly_canonical(folder / written, status);
   const auto relative = file.lexically_relative(folder);
   if (std::filesystem::path(written).is_absolute() || relative.empty() || *relative.begin() == "..")
     throw document.error_at(key, "the file lies outside the data set's folder",

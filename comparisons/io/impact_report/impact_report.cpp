@@ -12,17 +12,13 @@ namespace rebound {
 namespace {
 
 using report::Figure;
+using report::milli;
+using report::scaled;
 using report::Series;
 
 constexpr int most_frames = 60;
 constexpr int most_cells = 20000;
 constexpr int most_cell_frames = 150000;
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> result(values);
-  for (double& value : result) value *= factor;
-  return result;
-}
 
 Series line(const std::string& name, std::vector<double> x, std::vector<double> y) {
   Series series;
@@ -56,9 +52,9 @@ Figure force_time(const Trace& trace) {
                     "the line is the impulse.",
                 .x = {"time since first touch", "ms"},
                 .y = {"force", "N"},
-                .series = {force_over(trace, scaled(trace.time, 1e3))}};
+                .series = {force_over(trace, scaled(trace.time, milli))}};
   if (const auto* contact = column(trace, "contact_force_N"))
-    figure.series.push_back(line("contact force", scaled(trace.time, 1e3), *contact));
+    figure.series.push_back(line("contact force", scaled(trace.time, milli), *contact));
   return figure;
 }
 
@@ -69,9 +65,9 @@ Figure force_deflection(const Trace& trace) {
                     "come back as its motion.",
                 .x = {"deflection", "mm"},
                 .y = {"force", "N"},
-                .series = {line("centre of mass", scaled(trace.deflection, 1e3), trace.force)}};
+                .series = {line("centre of mass", scaled(trace.deflection, milli), trace.force)}};
   if (const auto* pole = column(trace, "pole_deflection_m"))
-    figure.series.push_back(line("pole", scaled(*pole, 1e3), trace.force));
+    figure.series.push_back(line("pole", scaled(*pole, milli), trace.force));
   return figure;
 }
 
@@ -103,7 +99,8 @@ Figure energies(const FemResult& result) {
     for (const EnergyBalance& balance : result.energies) values.push_back(balance.*channel.member);
     if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; }))
       continue;
-    figure.series.push_back(line(channel.name, scaled(result.trace.time, 1e3), std::move(values)));
+    figure.series.push_back(
+        line(channel.name, scaled(result.trace.time, milli), std::move(values)));
   }
   return figure;
 }

@@ -39,6 +39,14 @@ struct Series {
   std::vector<double> y_high;   ///< upper edge, given with y_low
 };
 
+inline constexpr double milli = 1e3;  ///< m to mm, s to ms
+
+/// The numbers in the unit of an axis.
+inline std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
 /// A drawn picture of one or more series over the same two axes.
 struct Figure {
   std::string title;

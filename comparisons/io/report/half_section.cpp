@@ -67,6 +67,7 @@ AnimationContact contact_of(const ShapeHistory& shapes) {
   AnimationContact contact{.vertices = shapes.contact_vertices, .unit = "MPa", .pressure = {}};
   for (const auto& row : shapes.contact_pressure) {
     std::vector<double> pressure;
+    pressure.reserve(row.size());
     for (const float value : row) pressure.push_back(rounded(1e-6 * static_cast<double>(value)));
     contact.pressure.push_back(std::move(pressure));
   }

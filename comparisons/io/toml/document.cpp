@@ -125,7 +125,7 @@ Error Document::error_at(const std::string& key, const std::string& message,
     return error_at(node.node()->source(), key, message, allowed);
   // Not in the file: point at the table it belongs to.
   ErrorLocation location{.file = name_, .key = key, .allowed = allowed};
-  const auto parent = toml::at_path(root_, key.substr(0, key.find_last_of(".")));
+  const auto parent = toml::at_path(root_, key.substr(0, key.find_last_of('.')));
   if (parent && key.find('.') != std::string::npos) {
     location.line = static_cast<int>(parent.node()->source().begin.line);
     location.column = static_cast<int>(parent.node()->source().begin.column);

@@ -175,7 +175,7 @@ void Reader::finish() const {
                              : fmt::format("this key is not known; did you mean \"{}\"?", near),
                 location);
   }
-  if (first_missing_) throw *first_missing_;
+  if (first_missing_) throw Error(*first_missing_);
 }
 
 }  // namespace rebound

@@ -64,6 +64,7 @@ void TomlWriter::visit_text(const Key& key, std::optional<std::string>& value) {
 void TomlWriter::visit_numbers(const Key& key, std::vector<double>& values) {
   if (values.empty() && key.presence == Presence::optional) return;
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(number_text(key, value));
   line(key, fmt::format("[{}]", fmt::join(texts, ", ")));
 }
@@ -71,6 +72,7 @@ void TomlWriter::visit_numbers(const Key& key, std::vector<double>& values) {
 void TomlWriter::visit_texts(const Key& key, std::vector<std::string>& values) {
   if (values.empty() && key.presence == Presence::optional) return;
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const std::string& value : values) texts.push_back(toml_string(value));
   line(key, fmt::format("[{}]", fmt::join(texts, ", ")));
 }

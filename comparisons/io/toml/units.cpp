@@ -164,7 +164,7 @@ std::string format_quantity(double value, std::string_view unit_text) {
   const Unit unit = parse_unit(unit_text);
   if (unit_text.empty()) return format_number(value);
   for (const int digits : {6, 9, 12, 15, 16, 17}) {
-    const std::string text = fmt::format("{:.{}g} {}", value / unit.factor(), digits, unit_text);
+    std::string text = fmt::format("{:.{}g} {}", value / unit.factor(), digits, unit_text);
     if (parse_quantity(text, unit.dimension) == value) return text;
   }
   return fmt::format("{} {}", format_number(value), unit_name(unit.dimension));

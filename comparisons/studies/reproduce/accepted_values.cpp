@@ -11,9 +11,9 @@ constexpr double reach = 8.0;
 constexpr int grid_points = 241;
 
 /// The row with one input set: published against computed as one signed number.
-class Gap {
+class InputGap {
  public:
-  Gap(const DerivedRow& row, std::size_t input, Strictness strictness)
+  InputGap(const DerivedRow& row, std::size_t input, Strictness strictness)
       : row_(row), input_(input), inputs_(printed_inputs(row)) {
     if (strictness == Strictness::to_the_digit)
       for (PrintedNumber& number : inputs_) number.half_width = 0.0;
@@ -67,7 +67,7 @@ class Gap {
 
 std::vector<Interval> accepted_values(const DerivedRow& row, std::size_t input,
                                       Strictness strictness) {
-  Gap gap(row, input, strictness);
+  InputGap gap(row, input, strictness);
   const double printed = row.inputs[input].printed.value;
   const auto grid = [&](int i) {
     return printed * std::pow(reach, 2.0 * i / (grid_points - 1) - 1.0);

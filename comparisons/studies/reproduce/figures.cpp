@@ -7,19 +7,15 @@
 namespace rebound {
 namespace {
 
+using report::milli;
+using report::scaled;
+
 constexpr const char* overlays_id = "published-impacts";
 constexpr const char* label = "Predicted from published parameters; the paper prints no trace.";
-constexpr double milli = 1e3;  // m to mm, s to ms
 
 const report::Axis deflection_axis{"deflection of the centre of mass", "mm"};
 const report::Axis force_axis{"force", "N"};
 const report::Axis time_axis{"time", "ms"};
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> result;
-  for (const double value : values) result.push_back(factor * value);
-  return result;
-}
 
 report::Series line(const std::string& name, const std::vector<double>& x,
                     const std::vector<double>& y) {

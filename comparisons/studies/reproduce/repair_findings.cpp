@@ -87,7 +87,7 @@ std::string known_text(const Paper& paper, const Repair& repair) {
 
 std::string id_of(const std::string& block, const std::string& what) {
   std::string id;
-  for (const char letter : block + "-" + what)
+  for (const char letter : fmt::format("{}-{}", block, what))
     if (std::isalnum(static_cast<unsigned char>(letter)))
       id += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
     else if (!id.empty() && id.back() != '-')

@@ -19,6 +19,7 @@ std::vector<double> speeds_of(const Paper& paper) {
 /// Slope of ln y over ln v of every core, y one number per shot.
 std::vector<double> slopes(const Paper& paper, const std::vector<std::vector<double>>& numbers) {
   std::vector<double> result;
+  result.reserve(numbers.size());
   for (const auto& row : numbers) result.push_back(logarithmic_slope(speeds_of(paper), row));
   return result;
 }
@@ -35,6 +36,7 @@ Finding contact_time_over_speed(const Evidence& evidence) {
     for (const ModelRun& run : core) times.back().push_back(run.result.scalars.contact_time);
   }
   std::vector<double> exponents;
+  exponents.reserve(measured.size());
   for (const double slope : measured) exponents.push_back((1.0 - slope) / (1.0 + slope));
   return {
       "contact-time-over-speed",

@@ -87,8 +87,10 @@ struct EighthOrderStep {
   }
 
  private:
+  // Inlined: the loops over weights and stages are then unrolled, with the weights as constants.
   template <std::size_t M, class... Stages>
-  static State add(const State& y0, double h, const double (&weight)[M], const Stages&... k) {
+  [[gnu::always_inline]] static State add(const State& y0, double h, const double (&weight)[M],
+                                          const Stages&... k) {
     static_assert(sizeof...(Stages) == M);
     State sum;
     for (std::size_t i = 0; i < States; ++i) {
@@ -100,7 +102,8 @@ struct EighthOrderStep {
     return sum;
   }
   template <std::size_t M, class... Stages>
-  static Quadrature collect(double h, const double (&weight)[M], const Stages&... k) {
+  [[gnu::always_inline]] static Quadrature collect(double h, const double (&weight)[M],
+                                                   const Stages&... k) {
     Quadrature sum;
     for (std::size_t i = 0; i < Quadratures; ++i) {
       std::size_t j = 0;

@@ -113,12 +113,14 @@ Sensitivities sensitivities_fast(const LumpedProblem& problem) {
   require_bare(problem);
   const ContactSetup setup = checked_setup(problem);
   const auto by = all_directions(problem.model.law);
-  Sensitivities result = std::visit(
+  constexpr std::size_t fewest = 3;  // a parameter, mass and speed
+  Sensitivities result = visit_stateless(
       [&]<class Law>(const Law& law) {
-        return with_width(by, [&]<std::size_t Width>(const std::array<Direction, Width>& filled) {
-          return Reading<Law, Width>(law, setup, filled, by.size())
-              .sampled(problem.controls.samples);
-        });
+        return with_width<fewest>(
+            by, [&]<std::size_t Width>(const std::array<Direction, Width>& filled) {
+              return Reading<Law, Width>(law, setup, filled, by.size())
+                  .sampled(problem.controls.samples);
+            });
       },
       make_law(problem.model, problem.impact, problem.sphere));
   result.by = names_of_directions(problem.model.law);

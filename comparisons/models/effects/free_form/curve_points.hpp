@@ -20,6 +20,7 @@ inline Range curve_range() {
 /// PREFIX_0 … PREFIX_(count − 1).
 inline std::vector<EffectParameterCard> curve_points(const std::string& prefix, int count) {
   std::vector<EffectParameterCard> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     points.push_back({.name = prefix + "_" + std::to_string(k),
                       .sentence = "Value of g at point " + std::to_string(k) + ".",

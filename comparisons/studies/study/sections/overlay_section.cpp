@@ -6,16 +6,10 @@
 namespace rebound {
 namespace {
 
+using report::milli;
 using report::Origin;
+using report::scaled;
 using report::Series;
-
-constexpr double milli = 1e3;
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> result;
-  for (const double value : values) result.push_back(factor * value);
-  return result;
-}
 
 Series series_of(const std::string& name, Origin origin, Series::Role role) {
   return {.name = name,
