@@ -30,6 +30,18 @@ std::vector<std::string> absent_from(const HypothesisFit& fit,
   return others;
 }
 
+void judge_by(const EffectSensitivities& around, const Observations& seen,
+              const SelectionRules& rules, std::uint64_t seed, Look look, AssessedFit& candidate) {
+  candidate.p_value = p_value_of(candidate.fit, seen.noise_freedom);
+  const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
+  candidate.map = residual_map(seen, candidate.fit, around, level, seed);
+  candidate.remaining_threshold = around.threshold(level, seed);
+  for (const EffectScore& score : around.scores())
+    candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
+  candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&
+                       candidate.best_remaining <= candidate.remaining_threshold;
+}
+
 AssessedFit judge(const Observations& seen, HypothesisFit fit,
                   const std::vector<std::string>& effects, const SelectionRules& rules,
                   std::uint64_t seed, Look look) {
@@ -41,13 +53,7 @@ AssessedFit judge(const Observations& seen, HypothesisFit fit,
     return candidate;
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects),
                                    look == Look::at_all ? GridDetail::fine : GridDetail::coarse);
-  const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
-  candidate.map = residual_map(seen, candidate.fit, around, level, seed);
-  candidate.remaining_threshold = around.threshold(level, seed);
-  for (const EffectScore& score : around.scores())
-    candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
-  candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&
-                       candidate.best_remaining <= candidate.remaining_threshold;
+  judge_by(around, seen, rules, seed, look, candidate);
   return candidate;
 }
 

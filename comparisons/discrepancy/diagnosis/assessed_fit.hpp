@@ -40,7 +40,12 @@ enum class Look { at_all, at_what_may_pass };
 std::vector<std::string> absent_from(const HypothesisFit& fit,
                                      const std::vector<std::string>& effects);
 
-/// Judges a fit: χ², its residual map, and what one more effect would bring.
+/// Judges a fit: χ², its residual map, and what one more effect would bring by what is known
+/// around it.
+void judge_by(const EffectSensitivities& around, const Observations& seen,
+              const SelectionRules& rules, std::uint64_t seed, Look look, AssessedFit& fit);
+
+/// The same, with what is around it found first.
 AssessedFit judge(const Observations& seen, HypothesisFit fit,
                   const std::vector<std::string>& effects, const SelectionRules& rules,
                   std::uint64_t seed, Look look = Look::at_all);

@@ -148,8 +148,9 @@ report::Figure curve_figure(const FactorBand& band) {
   report::Figure figure{
       .title = "The missing " + quantity + " over " + axis_of(band).quantity,
       .caption = factor ? "What the force of the believed model has to be multiplied by: 1 is "
-                          "nothing missing. The points are fitted, with their 95 % band; the "
-                          "extended model goes smoothly through them."
+                          "nothing missing. Where the law has a number of its own for the level, "
+                          "the curve stands over its mean. The points are fitted, with their 95 % "
+                          "band; the extended model goes smoothly through them."
                         : "The points are fitted, with their 95 % band; the extended model goes "
                           "smoothly through them.",
       .x = axis_of(band),

@@ -1,7 +1,9 @@
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rebound {
 namespace {
@@ -30,11 +32,48 @@ double mean_contact_time(const Observations& seen, const HypothesisFit& fit) {
   return sum / static_cast<double>(seen.shots.size());
 }
 
-const Estimate* estimate_of(const HypothesisFit& fit, std::size_t k, const std::string& number) {
+/// The unknown that is a number of effect k; nothing where it is not fitted.
+std::optional<std::size_t> unknown_of(const HypothesisFit& fit, std::size_t k,
+                                      const std::string& number) {
   const std::string name = fit.effects[k].name + (number.empty() ? "" : " " + number);
   for (const std::size_t unknown : fit.model->unknowns_of_effect(k))
-    if (fit.search.estimates[unknown].name == name) return &fit.search.estimates[unknown];
-  return nullptr;
+    if (fit.search.estimates[unknown].name == name) return unknown;
+  return std::nullopt;
+}
+
+/// Of all unknowns, priors counted.
+Eigen::MatrixXd covariance_of(const HypothesisFit& fit) {
+  const Eigen::MatrixXd slopes = jacobian_at(*fit.model, fit.values);
+  return (slopes.transpose() * slopes).completeOrthogonalDecomposition().pseudoInverse();
+}
+
+/// A band over its own mean, with the errors of that ratio: what another level would change is no
+/// error of the shape.
+void keep_shape(FactorBand& band, const std::vector<std::size_t>& unknowns,
+                const std::vector<double>& sign, const Eigen::MatrixXd& covariance) {
+  constexpr double deviations = 1.959964;  // 95 %
+  const auto count = static_cast<Eigen::Index>(unknowns.size());
+  Eigen::MatrixXd own(count, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      own(i, j) = sign[a] * sign[b] *
+                  covariance(static_cast<Eigen::Index>(unknowns[a]),
+                             static_cast<Eigen::Index>(unknowns[b]));
+    }
+  const Eigen::Map<const Eigen::VectorXd> factor(band.factor.data(), count);
+  const double mean = factor.mean();
+  const Eigen::VectorXd shape = factor / mean;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    Eigen::VectorXd weight =
+        Eigen::VectorXd::Constant(count, -shape(k) / static_cast<double>(count));
+    weight(k) += 1.0;
+    const double error = std::sqrt(std::max(0.0, weight.dot(own * weight))) / mean;
+    const auto i = static_cast<std::size_t>(k);
+    band.factor[i] = shape(k);
+    band.low[i] = shape(k) - deviations * error;
+    band.high[i] = shape(k) + deviations * error;
+  }
 }
 
 }  // namespace
@@ -121,16 +160,22 @@ std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {
     FactorBand& band = bands.emplace_back(FactorBand{.of = curve.of, .quantity = curve.quantity});
     const double reach = curve.reach.empty() ? 1.0 : fit.effects[k].parameters.at(curve.reach);
     const double nothing = curve.quantity == "factor" ? 1.0 : 0.0;
+    std::vector<std::size_t> unknowns;
+    std::vector<double> sign;
     for (const CurveCard::Point& point : curve.points) {
-      const Estimate* value = estimate_of(fit, k, point.number);
-      if (!value) continue;
+      const auto unknown = unknown_of(fit, k, point.number);
+      if (!unknown) continue;
+      const Estimate& value = fit.search.estimates[*unknown];
+      unknowns.push_back(*unknown);
+      sign.push_back(point.sign);
       band.x.push_back(reach * point.place);
-      const double low = nothing + point.sign * value->low;
-      const double high = nothing + point.sign * value->high;
-      band.factor.push_back(nothing + point.sign * value->value);
+      const double low = nothing + point.sign * value.low;
+      const double high = nothing + point.sign * value.high;
+      band.factor.push_back(nothing + point.sign * value.value);
       band.low.push_back(std::min(low, high));
       band.high.push_back(std::max(low, high));
     }
+    if (curve.level_is_the_laws) keep_shape(band, unknowns, sign, covariance_of(fit));
   }
   return bands;
 }

@@ -24,7 +24,9 @@ std::string formula_within(const EffectCard& card);
 std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
                                                   const std::vector<EffectChoice>& starts);
 
-/// A factor, or a pull, found without a formula, over what it depends on.
+/// A factor, or a pull, found without a formula, over what it depends on. Where a number of the law
+/// takes its level, a factor is over its own mean: stiffness and the level of an elastic curve are
+/// one number, and what is found is the shape.
 struct FactorBand {
   std::string of;                            ///< as CurveCard
   std::string quantity;                      ///< as CurveCard

@@ -103,8 +103,9 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
                                std::uint64_t seed, const RunControl& control) {
   EffectSelection selection;
-  selection.baseline = judge(seen, std::move(baseline), effects, rules, seed);
+  selection.baseline.fit = std::move(baseline);
   EffectSensitivities around(seen, selection.baseline.fit, effects);
+  judge_by(around, seen, rules, seed, Look::at_all, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
   if (!selection.baseline.adequate) {

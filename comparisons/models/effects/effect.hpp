@@ -76,6 +76,8 @@ struct CurveCard {
   std::string reach{};              ///< parameter that places are shares of; empty: one
   std::string quantity = "factor";  ///< "factor" is one and the number, any other the number itself
   std::vector<Point> points{};
+  bool level_is_the_laws =
+      false;  ///< a number of the law takes the level: the shape is what is found
 };
 
 /// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,

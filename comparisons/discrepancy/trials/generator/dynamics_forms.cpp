@@ -13,6 +13,9 @@ Oscillator oscillator(double mass, double stiffness, double damping_ratio) {
           .damping = 2.0 * damping_ratio * std::sqrt(stiffness * mass)};
 }
 
+/// A stiffer plate rings beyond what a recorder follows, and its filter takes that away.
+constexpr double smallest_compliance = 2e-4;
+
 double compliance(double s, const Scales& scales) {
   return s * scales.deflection / scales.force;
 }
@@ -28,7 +31,7 @@ std::vector<EffectForm> dynamics_forms() {
   return {{.family = "dynamics",
            .name = "plate-on-spring",
            .formula = "M y'' + c y' + K y = F, 1/K = s x_ref/F_ref; the cell reads K y + c y'",
-           .smallest = 2e-06,
+           .smallest = smallest_compliance,
            .largest = 0.25,
            .secondary = {{"mass_over_ball", 3.0, 40.0}, {"damping_ratio", 0.005, 0.1}},
            .registry_name = "plate-compliance",
@@ -56,7 +59,7 @@ std::vector<EffectForm> dynamics_forms() {
           {.family = "dynamics",
            .name = "plate-on-frame",
            .formula = "as plate-on-spring, on a frame with a spring and damper of its own",
-           .smallest = 2e-06,
+           .smallest = smallest_compliance,
            .largest = 0.25,
            .secondary = {{"mass_over_ball", 3.0, 20.0},
                          {"damping_ratio", 0.005, 0.1},

@@ -8,6 +8,7 @@ namespace {
 /// Over x/x_max; the last point, where unloading begins, is held at one.
 CurveCard unloading_card() {
   CurveCard card = curve_card("share_of_largest_deflection", "", "at", 2);
+  card.level_is_the_laws = false;
   card.points.pop_back();
   card.points[2].sign = -1.0;
   for (CurveCard::Point& point : card.points) point.place = unloading_share(point.place);

@@ -38,7 +38,11 @@ TEST(FamilyTest, ABulgeInTheElasticForceIsOfTheElasticFamily) {
              (d.verdict == DiagnosisVerdict::family && d.family != EffectFamily::elastic);
     if (d.verdict != DiagnosisVerdict::family) continue;
     ASSERT_FALSE(d.curves.empty());
-    EXPECT_EQ(d.curves.front().of, "deflection_over_radius");
+    const FactorBand& band = d.curves.front();
+    EXPECT_EQ(band.of, "deflection_over_radius");
+    // The level is the stiffness's; the shape is plain: no constant lies within the band.
+    EXPECT_GT(*std::max_element(band.low.begin(), band.low.end()),
+              *std::min_element(band.high.begin(), band.high.end()));
     EXPECT_LT(*d.gap.after - 1.0, 0.2 * (*d.gap.before - 1.0));
   }
   EXPECT_GE(right, 4);
