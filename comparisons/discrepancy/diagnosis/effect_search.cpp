@@ -128,7 +128,9 @@ std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count)
     if (added(smaller) != count - 1 || !may_grow(smaller)) continue;
     ++taken;
     const EffectNames own = names_of(smaller.effects);
-    const EffectSensitivities near(seen_, smaller, absent_from(smaller, effects_));
+    // Where to start, the fine grid around the baseline tells; here is but an order.
+    const EffectSensitivities near(seen_, smaller, absent_from(smaller, effects_),
+                                   GridDetail::coarse);
     for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
       if (!may_join(name, smaller)) continue;
       EffectNames set = own;
