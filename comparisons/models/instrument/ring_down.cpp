@@ -53,7 +53,7 @@ Reading reading_of_plate_on_frame(const Plate& plate, const Eigen::Vector4d& sta
   rate << 0.0, 1.0, 0.0, 0.0, -cell / m, 0.0, 0.0, 0.0, 1.0, cell / m_f;
   rate.row(3) -= Eigen::RowVector4d(0.0, 0.0, k_f / m_f, c_f / m_f);
   const Eigen::EigenSolver<Eigen::Matrix4d> modes(rate);
-  const Eigen::Vector4cd rates = modes.eigenvalues();
+  const Eigen::Vector4cd& rates = modes.eigenvalues();
   const Eigen::Vector4cd shares = modes.eigenvectors().partialPivLu().solve(start.cast<Complex>());
   const Eigen::Vector4cd amplitudes =
       (cell.cast<Complex>() * modes.eigenvectors()).transpose().cwiseProduct(shares);
