@@ -82,7 +82,7 @@ double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& e
                        .gain = trial.true_gain,
                        .gain_uncertainty = std::hypot(trial.gain_uncertainty,
                                                       trial.mass.uncertainty / trial.ball.mass),
-                       .noise = trial.noise.deviation,
+                       .noise = trial.noise,
                        .shots = {}};
   for (std::size_t i = 0; i < trial.shots.size(); ++i) {
     RefitShot shot;

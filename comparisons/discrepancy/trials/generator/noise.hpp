@@ -19,6 +19,10 @@ struct Noise {
   double deviation = 0.0;  ///< of one sample [N]
 };
 
+/// Correlation of samples `lag` apart:   φ^k,   p^k (1 + k (1 − p²)/(1 + p²)) with both poles at p,
+/// and the mean of the eight.
+double autocorrelation(const Noise& noise, std::size_t lag);
+
 /// Stationary noise of that deviation.
 ///
 ///   autoregressive   n_i = φ n_{i−1} + √(1 − φ²) w_i

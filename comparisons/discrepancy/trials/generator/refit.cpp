@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "comparisons/discrepancy/trials/generator/linear_prediction.hpp"
 #include "comparisons/discrepancy/trials/generator/normal_equations.hpp"
 
 namespace trials {
@@ -74,17 +75,19 @@ class ShotModel {
   BaselinePulse pulse_, more_damped_;
 };
 
-void add_shot(const RefitProblem& problem, const Unknowns& at, std::size_t j,
-              NormalEquations& equations) {
+void add_shot(const RefitProblem& problem, const LinearPrediction& prediction, const Unknowns& at,
+              std::size_t j, NormalEquations& equations) {
   const RefitShot& shot = problem.shots[j];
   const ShotModel model(problem, at, j);
   const int own = static_cast<int>(first_of_shot + 2 * j);
   const std::array<int, 6> places = {log_stiffness, damping, gain, offset, own, own + 1};
+  std::vector<std::array<double, 7>> rows;  // slopes, and the residual last
   for (std::size_t i = 0; i < shot.time.size(); ++i) {
-    std::array<double, 6> row = model.slopes(shot.time[i]);
-    for (double& slope : row) slope /= problem.noise;
-    equations.add(places, row, (model.force(shot.time[i]) - shot.force[i]) / problem.noise);
+    const auto [a, b, c, d, e, f] = model.slopes(shot.time[i]);
+    rows.push_back({a, b, c, d, e, f, model.force(shot.time[i]) - shot.force[i]});
   }
+  prediction.whiten(rows);
+  for (const auto& row : rows) equations.add(places, std::span(row).first<6>(), row.back());
   const double relative = shot.speed_uncertainty / shot.speed;
   equations.add(std::array{own + 1}, std::array{1.0 / relative},
                 (at[own + 1] - std::log(shot.speed)) / relative);
@@ -95,13 +98,15 @@ void add_shot(const RefitProblem& problem, const Unknowns& at, std::size_t j,
                 (model.restitution() - shot.restitution) / u);
 }
 
-NormalEquations equations_at(const RefitProblem& problem, const Unknowns& at) {
+NormalEquations equations_at(const RefitProblem& problem, const LinearPrediction& prediction,
+                             const Unknowns& at) {
   NormalEquations equations(at.size());
-  for (std::size_t j = 0; j < problem.shots.size(); ++j) add_shot(problem, at, j, equations);
+  for (std::size_t j = 0; j < problem.shots.size(); ++j)
+    add_shot(problem, prediction, at, j, equations);
   equations.add(std::array<int, 1>{gain}, std::array{1.0 / problem.gain_uncertainty},
                 (at[gain] - problem.gain) / problem.gain_uncertainty);
-  equations.add(std::array<int, 1>{offset}, std::array{1.0 / problem.noise},
-                at[offset] / problem.noise);
+  equations.add(std::array<int, 1>{offset}, std::array{1.0 / problem.noise.deviation},
+                at[offset] / problem.noise.deviation);
   return equations;
 }
 
@@ -132,7 +137,8 @@ std::vector<double> step_of(const NormalEquations& equations, const Unknowns& at
 Refit refit_baseline(const RefitProblem& problem) {
   constexpr int most_iterations = 40;
   Unknowns at = start_of(problem);
-  NormalEquations equations = equations_at(problem, at);
+  const LinearPrediction prediction(problem.noise);
+  NormalEquations equations = equations_at(problem, prediction, at);
   double relaxed = 1e-6;
   Refit result;
   while (result.iterations < most_iterations && relaxed < 1e6) {
@@ -142,7 +148,7 @@ Refit refit_baseline(const RefitProblem& problem) {
       relaxed *= 10.0;
       continue;
     }
-    NormalEquations there = equations_at(problem, tried);
+    NormalEquations there = equations_at(problem, prediction, tried);
     const double gained = equations.chi_square() - there.chi_square();
     if (gained < 0.0) {
       relaxed *= 10.0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/trials/generator/baseline_pulse.hpp"
+#include "comparisons/discrepancy/trials/generator/noise.hpp"
 
 namespace trials {
 
@@ -21,7 +22,7 @@ struct RefitProblem {
   BaselineBall ball;  ///< start of the search; the mass stays
   double gain = 1.0;  ///< true, without effects
   double gain_uncertainty = 0.0;
-  double noise = 0.0;  ///< deviation of a sample, also the uncertainty of the offset [N]
+  Noise noise;  ///< its deviation is the uncertainty of the offset, too
   std::vector<RefitShot> shots;
 };
 
@@ -34,9 +35,10 @@ struct Refit {
 };
 
 /// Fits the baseline to noise-free records that hold an effect: what is left is what can be seen
-/// of the effect in white noise.
+/// of the effect in the noise of the trial.
 ///
-///   χ² = Σ (g F(t − t_j; k, λ, v_j) + b − F_i)²/σ² + priors of g, b, v_j + restitutions
+///   χ² = Σ w_i² + priors of g, b, v_j + restitutions
+///   w    g F(t − t_j; k, λ, v_j) + b − F_i, whitened as the noise would be
 ///
 /// Free: k, λ ≥ 0, gain g, offset b, and start time t_j and speed v_j of every shot. Each prior is
 /// centred on the true value, so that χ² is zero without an effect and has no random part.

@@ -14,7 +14,7 @@ RefitProblem problem_of(const BaselineBall& truth, double gain) {
   RefitProblem problem{.ball = example_ball(alpha),
                        .gain = 1.0,
                        .gain_uncertainty = 0.02,
-                       .noise = 10.0,
+                       .noise = {.deviation = 10.0},
                        .shots = {}};
   for (const double v : {5.0, 15.0}) {
     RefitShot shot{.time = {}, .force = {}, .speed = v, .speed_uncertainty = 0.01 * v};
