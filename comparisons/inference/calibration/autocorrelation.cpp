@@ -10,7 +10,7 @@ constexpr std::size_t fewest_samples = 10;  // of a stretch
 constexpr std::size_t most_lags = 16;
 constexpr std::size_t samples_per_lag = 8;  // at least: a lag is a number to be estimated
 constexpr std::size_t longest_lag = 400;    // beyond it nothing is correlated
-constexpr double white_share = 1e-3;        // of the variance
+constexpr double white_share = 1e-4;        // of the variance
 
 /// Stretches without the one straight line, from the start of each, that fits them all best.
 ///
@@ -42,15 +42,57 @@ std::vector<std::vector<double>> without_common_line(
   return left;
 }
 
-/// Sum of products at a lag over all stretches, over their number at lag zero.
-double covariance_at(const std::vector<std::vector<double>>& centred, std::size_t lag) {
+double variance_of(const std::vector<std::vector<double>>& centred, double count) {
   double sum = 0.0;
-  std::size_t count = 0;
-  for (const std::vector<double>& one : centred) {
-    for (std::size_t i = lag; i < one.size(); ++i) sum += one[i] * one[i - lag];
-    count += one.size();
+  for (const std::vector<double>& one : centred)
+    for (const double value : one) sum += value * value;
+  return sum / count;
+}
+
+/// What predictions of one order more leave of a stretch, from the samples before and from those
+/// after.
+struct PredictionErrors {
+  std::vector<double> forward, backward;
+};
+
+/// The coefficient that leaves least of both kinds of errors in all stretches together.
+double reflection_of(const std::vector<PredictionErrors>& stretches) {
+  double products = 0.0, squares = 0.0;
+  for (const auto& [forward, backward] : stretches)
+    for (std::size_t i = 1; i < forward.size(); ++i) {
+      products += forward[i] * backward[i - 1];
+      squares += forward[i] * forward[i] + backward[i - 1] * backward[i - 1];
+    }
+  return squares > 0.0 ? 2.0 * products / squares : 0.0;
+}
+
+void predict_further(double reflection, PredictionErrors& errors) {
+  PredictionErrors next;
+  for (std::size_t i = 1; i < errors.forward.size(); ++i) {
+    next.forward.push_back(errors.forward[i] - reflection * errors.backward[i - 1]);
+    next.backward.push_back(errors.backward[i - 1] - reflection * errors.forward[i]);
   }
-  return sum / static_cast<double>(count);
+  errors = std::move(next);
+}
+
+/// Autocorrelation at lags 1 to `lags` of the autoregressive series that the stretches are pieces
+/// of, by Burg's recursion.
+std::vector<double> autocorrelation_of(const std::vector<std::vector<double>>& centred,
+                                       std::size_t lags) {
+  std::vector<PredictionErrors> errors;
+  for (const std::vector<double>& one : centred) errors.push_back({one, one});
+  std::vector<double> found, coefficients;
+  double left = 1.0;
+  for (std::size_t m = 1; m <= lags; ++m) {
+    const double reflection = reflection_of(errors);
+    double correlation = reflection * left;
+    for (std::size_t k = 1; k < m; ++k) correlation += coefficients[k - 1] * found[m - k - 1];
+    found.push_back(correlation);
+    coefficients = linear_predictors(found).coefficients.back();
+    left *= 1.0 - reflection * reflection;
+    for (PredictionErrors& one : errors) predict_further(reflection, one);
+  }
+  return found;
 }
 
 }  // namespace
@@ -83,17 +125,16 @@ EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretc
   }
   if (long_enough.empty()) return noise;
   const std::vector<std::vector<double>> centred = without_common_line(long_enough);
-  const double variance = covariance_at(centred, 0);
+  const auto count = static_cast<double>(noise.samples);
+  const double variance = variance_of(centred, count);
   constexpr double rounding = 1e-14;  // of the readings themselves
   if (!(variance > rounding * rounding * largest * largest)) return noise;
-  const auto count = static_cast<double>(noise.samples);
   noise.deviation = std::sqrt(variance * count / (count - 2.0));
 
   const std::size_t lags =
       std::min(most_lags, static_cast<std::size_t>(noise.samples) / samples_per_lag);
-  std::vector<double> correlation;
-  for (std::size_t lag = 1; lag <= lags; ++lag)
-    correlation.push_back((1.0 - white_share) * covariance_at(centred, lag) / variance);
+  std::vector<double> correlation = autocorrelation_of(centred, lags);
+  for (double& at_lag : correlation) at_lag *= 1.0 - white_share;
   const LinearPredictors predictors = linear_predictors(correlation);
   std::size_t order = 0;
   double best = 0.0;

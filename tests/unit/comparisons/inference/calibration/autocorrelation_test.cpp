@@ -54,6 +54,28 @@ TEST(AutocorrelationTest, ShortStretchesTellTogether) {
   EXPECT_FALSE(noise.autocorrelation.empty());
 }
 
+// What a signal is compared to is what neighbours do not tell: (1 − p²)³/(1 + p²) of the variance
+// for white noise through two poles at p. Products of neighbours over the number of all samples
+// would give three times as much.
+TEST(AutocorrelationTest, ShortStretchesOfSlowNoiseTellWhatNeighboursDoNot) {
+  constexpr double p = 0.8;
+  std::vector<std::vector<double>> parts;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    test::GaussianNoise normal(seed);
+    double first = 0.0, second = 0.0;
+    std::vector<double>& part = parts.emplace_back();
+    for (int i = -200; i < 40; ++i) {
+      first = p * first + normal();
+      second = p * second + first;
+      if (i >= 0) part.push_back(second);
+    }
+  }
+  const std::vector<std::span<const double>> stretches(parts.begin(), parts.end());
+  const EstimatedNoise noise = estimate_noise(stretches);
+  const double left = linear_predictors(noise.autocorrelation).variance.back();
+  EXPECT_NEAR(noise.deviation * noise.deviation * left, 1.0, 0.15);
+}
+
 TEST(AutocorrelationTest, AnOffsetAndADriftAreNoNoise) {
   auto series = first_order(200, 0.0, 5);
   const double alone = estimate_noise({series}).deviation;
