@@ -13,13 +13,34 @@
 namespace rebound {
 namespace {
 
-/// Force at one instant; `from` is where the last search ended.
+/// Rate of the force at sample i: that of the parabola through it and its neighbours, or through
+/// the three samples at an end.
+double rate_at(const Trace& trace, std::size_t i) {
+  const std::size_t last = trace.time.size() - 1;
+  const auto chord = [&](std::size_t k) {
+    return (trace.force[k + 1] - trace.force[k]) / (trace.time[k + 1] - trace.time[k]);
+  };
+  if (last < 2) return chord(0);
+  const std::size_t left = std::clamp<std::size_t>(i, 1, last - 1) - 1;
+  const double before = trace.time[left + 1] - trace.time[left];
+  const double after = trace.time[left + 2] - trace.time[left + 1];
+  const double bend = (chord(left + 1) - chord(left)) / (before + after);
+  if (i == 0) return chord(0) - before * bend;
+  if (i == last) return chord(last - 1) + after * bend;
+  return chord(left) + before * bend;
+}
+
+/// Force at one instant, by the cubic of Hermite; `from` is where the last search ended.
 double force_at(const Trace& trace, double time, std::size_t& from) {
   if (time < trace.time.front() || time > trace.time.back()) return 0.0;
   while (from + 2 < trace.time.size() && trace.time[from + 1] < time) ++from;
   const double span = trace.time[from + 1] - trace.time[from];
-  const double share = (time - trace.time[from]) / span;
-  return (1.0 - share) * trace.force[from] + share * trace.force[from + 1];
+  const double s = (time - trace.time[from]) / span, rest = 1.0 - s;
+  const double rise = trace.force[from + 1] - trace.force[from];
+  const double leaving = span * rate_at(trace, from) - rise;
+  const double arriving = rise - span * rate_at(trace, from + 1);
+  return rest * trace.force[from] + s * trace.force[from + 1] +
+         s * rest * (rest * leaving + s * arriving);
 }
 
 /// The filtered contact on an even grid that reaches as far as `last`.

@@ -20,8 +20,10 @@ namespace rebound {
 ///   time   instants, increasing; before first touch and after separation the
 ///          contact force is zero [s]
 ///
-/// Error: linear between the samples of the trace, (h²/8) max|F''|: 1e-5 of the
-///        peak at 400 samples; a force that jumps at first touch keeps its jump.
+/// Error: cubic between the samples of the trace, so that reports of well-resolved contacts change
+///        smoothly with the trigger: below 1e-6 of the peak at 200 samples, and (h²/8) max|F''|
+///        where the force bends sharply; a force that jumps at first touch keeps its jump
+///        -> test ReportedForceTest.BetweenSamplesItIsCubic.
 /// Limit: an ideal chain returns the trace at its own instants
 ///        -> test ReportedForceTest.IdealChainChangesNothing.
 /// Caution: a cut-off above 0.45 of the trace's own sampling rate passes all: what it would

@@ -25,6 +25,20 @@ TEST(ReportedForceTest, IdealChainChangesNothing) {
   EXPECT_EQ(reported_force(contact, {}, contact.time), contact.force);
 }
 
+TEST(ReportedForceTest, BetweenSamplesItIsCubic) {
+  const auto sine = [](double t) { return 1000.0 * std::sin(std::numbers::pi * t / 2e-3); };
+  Trace contact;
+  for (int i = 0; i <= 200; ++i) {
+    contact.time.push_back(i * 1e-5);
+    contact.force.push_back(sine(contact.time.back()));
+  }
+  std::vector<double> between;
+  for (int i = 0; i < 2000; ++i) between.push_back(i * 1e-6);
+  const auto force = reported_force(contact, {}, between);
+  for (std::size_t i = 0; i < between.size(); ++i)
+    EXPECT_NEAR(force[i], sine(between[i]), 1e-6 * 1000.0);
+}
+
 TEST(ReportedForceTest, OutsideTheContactThereIsTheBaselineAlone) {
   const std::vector<double> time{-1e-3, 2.5e-3};
   const auto force = reported_force(half_sine(), {.force_baseline = 7.0}, time);
