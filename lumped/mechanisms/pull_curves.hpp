@@ -15,10 +15,11 @@
 ///   l, u   pulls over F_r; u is zero at x_max, so that the force has no jump where the ball turns
 ///
 /// Square roots put the points of the curves where the ball meets and leaves the plate. Contact
-/// ends where the gap is G, so that contact time and rebound speed are those of a ball that is
-/// free. Valid:   |x| < R; a pull that does not hold the ball for good. Limit:   a constant l with
-/// nothing beyond takes no energy: it gives on the way in what it takes on
-///          the way out -> test PullCurvesTest.AConstantPullTakesNoEnergy;
+/// ends where the gap is G, so that contact time and rebound speed are those of a free ball.
+///
+/// Valid:   |x| < R; a pull that does not hold the ball for good.
+/// Limit:   a constant l with nothing beyond takes no energy: it gives on the way in what it takes
+///          on the way out -> test PullCurvesTest.AConstantPullTakesNoEnergy;
 ///          a pull P [1 − √(gap/G)] beyond the plate takes P G/3
 ///          -> test PullCurvesTest.APullBeyondThePlateTakesItsArea.
 /// Errors:  Error(solver_failed) where the ball does not come off.

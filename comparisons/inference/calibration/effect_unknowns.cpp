@@ -10,8 +10,7 @@ constexpr double next_to_null = 0.01;      // of the prior scale
 constexpr double parameter_reach = 100.0;  // a factor either way of where a parameter starts
 
 CalibrationParameter size_of(const EffectCard& card, double start) {
-  // Of what swings, that of the start: plates are stiff by orders of magnitude.
-  const double scale = card.oscillator && start > card.null ? start - card.null : card.prior_scale;
+  const double scale = size_scale(card, start);
   // A plate or a branch next to nothing is stiff and cannot be told from
   // nothing: searches keep off a one-sided null.
   const double least =

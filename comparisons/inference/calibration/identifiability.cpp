@@ -41,7 +41,7 @@ std::string names_of(const CalibrationProblem& problem, const std::vector<bool>&
 }
 
 /// Which parameters take part in a flat direction, bounds left aside.
-std::vector<bool> undetermined(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd) {
+std::vector<bool> undetermined(const Eigen::BDCSVD<Eigen::MatrixXd>& svd) {
   const auto& sigma = svd.singularValues();
   std::vector<bool> member(static_cast<std::size_t>(svd.matrixV().rows()), false);
   for (Eigen::Index k = 0; k < svd.matrixV().cols(); ++k) {
@@ -162,8 +162,8 @@ void assess(const CalibrationProblem& problem, const Optimum& optimum, Calibrati
   result.residual_autocorrelation = lag_one(optimum.residuals);
   const double variance = problem.noise == NoiseKnowledge::known ? 1.0 : result.reduced_chi_square;
 
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(optimum.jacobian,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(optimum.jacobian,
+                                           Eigen::ComputeThinU | Eigen::ComputeThinV);
   const std::vector<bool> member = undetermined(svd);
   const std::string flat_names = names_of(problem, member);
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(unknowns);

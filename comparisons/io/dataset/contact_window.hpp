@@ -8,6 +8,10 @@
 /// When a recorded contact starts and ends: the one definition of it.
 namespace rebound {
 
+/// Shares of the peak force: above the first a record is in contact, whatever its noise; the second
+/// shows how steep it starts, and tells one impact from the next.
+inline constexpr double clearly_in_contact = 0.1, well_in_contact = 0.3;
+
 /// Neighbouring samples of a record, both ends included.
 struct SampleRange {
   std::size_t first = 0;

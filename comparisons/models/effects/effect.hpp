@@ -133,6 +133,9 @@ struct EffectCard {
   /// Stands for its family where no formula of the list does: never a candidate by its name.
   bool is_free_form = false;
   std::vector<CurveCard> curves{};  ///< of a free form
+  /// The formula of its family that a free form without curves contains, as a plate on a frame
+  /// contains a plate: a search starts there.
+  std::string contains{};
   std::optional<ImpactChange>
       moves;  ///< what it moves in FE; must be said where it has a form there
 };
@@ -153,6 +156,11 @@ std::string size_unit(const EffectCard& card);
 
 /// The list of effects.inc, in the order of effects that a report shows.
 const std::vector<Effect>& all_effects();
+
+/// The scale of a size near `size`, by which searches step and keep off the null: of what swings
+/// its distance from the null, since plates are stiff by orders of magnitude; otherwise the
+/// prior's.
+double size_scale(const EffectCard& card, double size);
 
 /// Names of the list, in its order.
 std::vector<std::string> effect_names();

@@ -85,6 +85,10 @@ const std::vector<Effect>& all_effects() {
   return list;
 }
 
+double size_scale(const EffectCard& card, double size) {
+  return card.oscillator && size > card.null ? size - card.null : card.prior_scale;
+}
+
 std::vector<std::string> effect_names() {
   std::vector<std::string> names;
   for (const Effect& effect : all_effects()) names.push_back(effect.card.name);

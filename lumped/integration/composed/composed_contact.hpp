@@ -19,13 +19,18 @@ namespace rebound {
 ///   F = F_e + q + F_d − P w(δ_max),   Ḋ = (F − F_e) (V − w − s ṙ) + plate and mode losses,
 ///   and z, y, w, r, ṙ as their own files say
 ///
-///   δ   approach of the contact, what the law sees [m];  X = δ − c F_e + y + s r its centre of
-///   mass V   velocity of the centre of mass [m/s]             F   contact force [N] J   impulse of
-///   F [N s]                               D   energy lost, or held in the branch [J]
+///   δ   approach of the contact, what the law sees [m]
+///   X   = δ − c F_e + y + s r, its centre of mass [m]
+///   V   velocity of the centre of mass [m/s]
+///   F   contact force [N]
+///   J   impulse of F [N s]
+///   D   energy lost, or held in the branch [J]
 ///
 /// Order of composition: the law's F_e takes its factors, then the memory of
 /// the largest approach; relaxation (the law's own branch and up to three more), finite sphere and
-/// adhesion see the result. Valid:   every law with every set of mechanisms; friction is refused.
+/// adhesion see the result.
+///
+/// Valid:   every law with every set of mechanisms; friction is refused.
 /// Limit:   without mechanisms the bare law -> test ComposedContactTest.NothingIsTheBareLaw.
 /// Caution: zero-force: contact ends where the force without adhesion falls to
 ///          zero, at pull-off; a plate or a mode that rings may bring ball and
@@ -62,9 +67,8 @@ class ComposedContact {
 
   const ContactSetup& setup() const { return setup_; }
   const ContactScales& scales() const { return scales_; }
-  /// States that a problem has: the last four are those of further branches and of a frame. An
-  /// integrator whose
-  /// error is a mean over the states takes no more.
+  /// States that a problem has: the last four are those of further branches and of a frame.
+  /// An integrator whose error is a mean over the states takes no more.
   std::size_t state_count() const;
   /// Sizes of the states; local errors are taken of them.
   State state_scales() const;

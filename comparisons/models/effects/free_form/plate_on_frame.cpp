@@ -1,5 +1,4 @@
-#include "comparisons/models/effects/effect.hpp"
-#include "lumped/problem/error.hpp"
+#include "comparisons/models/effects/boundary/plate_on_load_cell.hpp"
 
 namespace rebound {
 namespace {
@@ -15,18 +14,20 @@ EffectParameterCard frame_ratio(const std::string& name, const std::string& sent
           .tried = std::move(tried)};
 }
 
+std::vector<EffectParameterCard> parameters() {
+  std::vector<EffectParameterCard> all =
+      plate_parameters("Damping ratio of the load cell, and of the frame.");
+  all.push_back(frame_ratio("frame_stiffness_ratio",
+                            "Stiffness of the frame over that of the load cell.", {0.7, 2.0}));
+  all.push_back(
+      frame_ratio("frame_mass_ratio", "Mass of the frame over that of the plate.", {2.0}));
+  return all;
+}
+
 Plate plate_on_frame(const EffectChoice& choice, const Plate& before) {
-  if (before.moves())
-    throw Error(ExitCode::bad_input,
-                "'plate-on-frame' needs a plate that stands still before; give the stiffness in "
-                "[model.plate] or by the effect");
-  const auto number = [&](const char* name) { return choice.parameters.at(name); };
-  Plate plate = before;
-  plate.stiffness = 1.0 / choice.size;
-  plate.mass = number("mass");
-  plate.damping_ratio = number("damping_ratio");
-  plate.frame = {.stiffness = plate.stiffness * number("frame_stiffness_ratio"),
-                 .mass = plate.mass * number("frame_mass_ratio"),
+  Plate plate = plate_on_load_cell(choice, before);
+  plate.frame = {.stiffness = plate.stiffness * choice.parameters.at("frame_stiffness_ratio"),
+                 .mass = plate.mass * choice.parameters.at("frame_mass_ratio"),
                  .damping_ratio = plate.damping_ratio};
   return plate;
 }
@@ -45,29 +46,13 @@ Effect plate_on_frame_effect() {
                .size_dimension = dimension::length / dimension::force,
                .range = from_to(0.0, 1.0),
                .prior_scale = 2e-08,
-               .parameters = {{.name = "mass",
-                               .sentence = "Mass of the plate.",
-                               .dimension = dimension::mass,
-                               .range = limit_of<&Plate::mass>.range,
-                               .default_value = 2.0,
-                               .fitted = true},
-                              {.name = "damping_ratio",
-                               .sentence = "Damping ratio of the load cell, and of the frame.",
-                               .dimension = dimension::none,
-                               .range = limit_of<&Plate::damping_ratio>.range,
-                               .default_value = 0.02,
-                               .fitted = true,
-                               .tried = {0.02}},
-                              frame_ratio("frame_stiffness_ratio",
-                                          "Stiffness of the frame over that of the load cell.",
-                                          {0.7, 2.0}),
-                              frame_ratio("frame_mass_ratio",
-                                          "Mass of the frame over that of the plate.", {2.0})},
+               .parameters = parameters(),
                .signature = "Ringing after contact at two frequencies that neither ball nor speed "
                             "changes.",
                .experiment = "Strike the bare plate and the bare frame with a hammer.",
                .source = "two degrees of freedom in series, e.g. Meirovitch 2001",
-               .is_free_form = true},
+               .is_free_form = true,
+               .contains = "plate-compliance"},
       .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
         Plate& plate = problem.model.mechanisms.plate;
         if (choice.size > 0.0) plate = plate_on_frame(choice, plate);

@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(EveryEffect, EffectBattery, ::testing::ValuesIn(all_eff
 std::vector<EffectChoice> all_lumped_effects() {
   std::vector<EffectChoice> effects;
   for (const Effect& effect : all_effects())
-    if (effect.to_lumped && effect.card.name != "plate-on-frame")
+    if (effect.to_lumped && effect.card.contains.empty())
       effects.push_back(test::at_prior_scale(effect));
   return effects;
 }
