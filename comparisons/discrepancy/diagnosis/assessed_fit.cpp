@@ -30,31 +30,40 @@ std::vector<std::string> absent_from(const HypothesisFit& fit,
   return others;
 }
 
-void judge_by(const EffectSensitivities& around, const Observations& seen,
-              const SelectionRules& rules, std::uint64_t seed, Look look, AssessedFit& candidate) {
-  candidate.p_value = p_value_of(candidate.fit, seen.noise_freedom);
-  const double level = look == Look::at_all ? rules.false_gap_level : rules.candidate_level;
-  candidate.map = residual_map(seen, candidate.fit, around, level, seed);
-  candidate.remaining_threshold = around.threshold(level, seed);
-  for (const EffectScore& score : around.scores())
-    candidate.best_remaining = std::max(candidate.best_remaining, score.gain_chi_square);
-  candidate.adequate = candidate.map.quiet() && candidate.p_value > rules.smallest_adequate_p &&
-                       candidate.best_remaining <= candidate.remaining_threshold;
-}
-
-AssessedFit judge(const Observations& seen, HypothesisFit fit,
-                  const std::vector<std::string>& effects, const SelectionRules& rules,
-                  std::uint64_t seed, Look look) {
+AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
+                                const SelectionRules& rules) {
   AssessedFit candidate;
   candidate.fit = std::move(fit);
   candidate.p_value = p_value_of(candidate.fit, seen.noise_freedom);
-  // What χ² refuses needs no closer look; the model that is believed gets one, for its map.
-  if (look == Look::at_what_may_pass && candidate.p_value <= rules.smallest_adequate_p)
-    return candidate;
-  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects),
-                                   look == Look::at_all ? GridDetail::fine : GridDetail::coarse);
-  judge_by(around, seen, rules, seed, look, candidate);
+  candidate.judged = candidate.p_value <= rules.smallest_adequate_p;
   return candidate;
+}
+
+void look_closely(const Observations& seen, const EffectSensitivities& around,
+                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit) {
+  fit.map = residual_map(seen, fit.fit, around, level, seed);
+  fit.remaining_threshold = around.threshold(level, seed);
+  for (const EffectScore& score : around.scores())
+    fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
+  fit.judged = true;
+  fit.adequate = fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
+                 fit.best_remaining <= fit.remaining_threshold;
+}
+
+AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
+                           const std::vector<std::string>& effects, const SelectionRules& rules,
+                           std::uint64_t seed) {
+  AssessedFit believed = judge_by_chi_square(seen, std::move(fit), rules);
+  const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit, effects));
+  look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
+  return believed;
+}
+
+void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
+                     const SelectionRules& rules, std::uint64_t seed, AssessedFit& candidate) {
+  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects),
+                                   GridDetail::coarse);
+  look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
 }
 
 }  // namespace rebound

@@ -30,24 +30,30 @@ struct AssessedFit {
   double p_value = 0.0;         ///< of χ² over the data
   double best_remaining = 0.0;  ///< largest Δχ² that one more effect would bring, to first order
   double remaining_threshold = 0.0;
+  bool judged = false;    ///< refused by its χ² alone, or looked at closely
   bool adequate = false;  ///< nothing left that noise could not do
 };
-
-/// Which fits get a residual map and a list of what one more effect would bring.
-enum class Look { at_all, at_what_may_pass };
 
 /// Those of `effects` that a fit does not have.
 std::vector<std::string> absent_from(const HypothesisFit& fit,
                                      const std::vector<std::string>& effects);
 
-/// Judges a fit: χ², its residual map, and what one more effect would bring by what is known
-/// around it.
-void judge_by(const EffectSensitivities& around, const Observations& seen,
-              const SelectionRules& rules, std::uint64_t seed, Look look, AssessedFit& fit);
+/// A fit by its χ² alone: judged where that refuses it, and open otherwise.
+AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
+                                const SelectionRules& rules);
 
-/// The same, with what is around it found first.
-AssessedFit judge(const Observations& seen, HypothesisFit fit,
-                  const std::vector<std::string>& effects, const SelectionRules& rules,
-                  std::uint64_t seed, Look look = Look::at_all);
+/// Looks at what is left over: the residual map, and what one more effect would bring by what is
+/// known around the fit.
+void look_closely(const Observations& seen, const EffectSensitivities& around,
+                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
+
+/// The model that is believed: looked at closely whatever its χ², for its map.
+AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
+                           const std::vector<std::string>& effects, const SelectionRules& rules,
+                           std::uint64_t seed);
+
+/// One of many candidates that χ² leaves open.
+void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
+                     const SelectionRules& rules, std::uint64_t seed, AssessedFit& candidate);
 
 }  // namespace rebound

@@ -69,10 +69,10 @@ void report_progress(const RunControl& whole, double fraction) {
   if (whole.progress) whole.progress(fraction);
 }
 
-AssessedFit judge_believed(const Observations& seen, const Hypothesis& believed,
-                           const DiagnosisRequest& request, const RunControl& control) {
-  return judge(seen, fit_believed(seen, believed, control), absent_effects(believed.effects),
-               request.rules, request.seed);
+AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
+                            const DiagnosisRequest& request, const RunControl& control) {
+  return judge_believed(seen, fit_believed(seen, believed, control),
+                        absent_effects(believed.effects), request.rules, request.seed);
 }
 
 /// What stands once FE's own part is in the model and in the errors of the data;
@@ -87,11 +87,16 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
   const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
   Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
   baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
+  // Data that FE comes no nearer to than the lumped model alone are not those of such a body.
+  constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
+  if (fit_hypothesis(*d.seen, baseline, control).chi_square >
+      d.selection.baseline.fit.chi_square - plainly_nearer)
+    return;
   EffectSelection selection =
       select_effects(*seen, fit_hypothesis(*seen, baseline, control),
                      absent_effects(baseline.effects), request.rules, request.seed, control);
   if (!selection.explains()) return;
-  d.believed = judge_believed(*seen, believed_with_gap, request, control);
+  d.believed = assess_believed(*seen, believed_with_gap, request, control);
   d.selection = std::move(selection);
   d.model_discrepancy = gap;
   d.seen = seen;
@@ -106,7 +111,7 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
 void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
             const Observations& all, const RunControl& whole) {
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
-  d.believed = judge_believed(*d.seen, believed, request, control);
+  d.believed = assess_believed(*d.seen, believed, request, control);
   report_progress(whole, baseline_share);
   const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
   d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.hypothesis.effects),

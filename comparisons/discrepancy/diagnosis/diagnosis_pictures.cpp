@@ -63,12 +63,15 @@ report::Figure history_figure(const MeasuredImpact& shot, const std::string& tit
   return figure;
 }
 
+std::string words_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
 /// What a curve depends on, as an axis says it.
 report::Axis axis_of(const FactorBand& band) {
   if (band.of == "rate_m_s") return {"rate of deflection", "m/s"};
-  std::string words = band.of;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return {words, "1"};
+  return {words_of(band.of), "1"};
 }
 
 }  // namespace
@@ -143,8 +146,7 @@ report::Matrix cosine_matrix(const Diagnosis& d) {
 
 report::Figure curve_figure(const FactorBand& band) {
   const bool factor = band.quantity == "factor";
-  std::string quantity = band.quantity;
-  std::replace(quantity.begin(), quantity.end(), '_', ' ');
+  const std::string quantity = words_of(band.quantity);
   report::Figure figure{
       .title = "The missing " + quantity + " over " + axis_of(band).quantity,
       .caption = factor ? "What the force of the believed model has to be multiplied by: 1 is "

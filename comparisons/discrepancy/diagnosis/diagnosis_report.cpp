@@ -66,7 +66,8 @@ report::Table candidate_table(const Diagnosis& d) {
                       .caption =
                           "Size in SI with one standard error. ΔBIC: over the best of all; "
                           "left: largest further Δχ² of any other effect, to be below the "
-                          "limit beside it; not looked for where χ² is too large already.",
+                          "limit beside it; not looked for where χ² is too large already or the "
+                          "criterion beyond reach of the best.",
                       .columns = {{"effect", "", Kind::text, {}},
                                   {"size", "SI", Kind::text, Origin::fitted},
                                   {"χ² / dof", "1", Kind::number, {}},
@@ -84,8 +85,9 @@ report::Table candidate_table(const Diagnosis& d) {
              "{:.1f}", c.fit.information_criterion - tried.front().fit.information_criterion)),
          c.remaining_threshold > 0.0 ? number_cell(c.best_remaining, 3) : text_cell("–"),
          c.remaining_threshold > 0.0 ? number_cell(c.remaining_threshold, 3) : text_cell("–"),
-         text_cell(c.adequate ? "yes" : "no", c.adequate ? report::TableCell::Verdict::good
-                                                         : report::TableCell::Verdict::bad)});
+         !c.judged    ? text_cell("–")
+         : c.adequate ? text_cell("yes", report::TableCell::Verdict::good)
+                      : text_cell("no", report::TableCell::Verdict::bad)});
   return table;
 }
 

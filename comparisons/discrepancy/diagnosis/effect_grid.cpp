@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "comparisons/io/dataset/contact_window.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound {
@@ -39,7 +40,8 @@ std::vector<double> frequencies(const OscillatorCard& oscillator, const Observat
   for (const MeasuredImpact& shot : seen.shots) {
     if (!shot.has_history()) continue;
     const auto& [time, force] = std::tie(shot.trace.time, shot.trace.force);
-    const double own = time_above(shot.trace, 0.1 * *std::max_element(force.begin(), force.end()));
+    const double own =
+        time_above(shot.trace, clearly_in_contact * *std::max_element(force.begin(), force.end()));
     const double length = time.back() - time.front();
     contact = contact == 0.0 ? own : std::min(contact, own);
     record = std::max(record, length);
@@ -59,19 +61,24 @@ std::vector<double> frequencies(const OscillatorCard& oscillator, const Observat
 
 }  // namespace
 
+std::vector<EffectChoice> with_each(const std::vector<EffectChoice>& all,
+                                    const std::string& parameter,
+                                    const std::vector<double>& values) {
+  std::vector<EffectChoice> combined;
+  for (const EffectChoice& one : all)
+    for (const double value : values) {
+      combined.push_back(one);
+      combined.back().parameters[parameter] = value;
+    }
+  return combined;
+}
+
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
                                           const Observations& seen) {
   std::vector<EffectChoice> all{effect};
   for (const auto& parameter : card.parameters) {
     const std::vector<double> values = tried_values(parameter, seen);
-    if (values.empty()) continue;
-    std::vector<EffectChoice> next;
-    for (const EffectChoice& one : all)
-      for (const double value : values) {
-        next.push_back(one);
-        next.back().parameters[parameter.name] = value;
-      }
-    all = std::move(next);
+    if (!values.empty()) all = with_each(all, parameter.name, values);
   }
   return all;
 }

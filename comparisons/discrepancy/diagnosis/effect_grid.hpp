@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "comparisons/inference/calibration/observations.hpp"
@@ -7,6 +8,11 @@
 
 /// At which sizes and further numbers a diagnosis looks at an effect.
 namespace rebound {
+
+/// Each of `all` with each of these values of a parameter.
+std::vector<EffectChoice> with_each(const std::vector<EffectChoice>& all,
+                                    const std::string& parameter,
+                                    const std::vector<double>& values);
 
 /// `effect` with every combination of what is tried of its further parameters.
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,

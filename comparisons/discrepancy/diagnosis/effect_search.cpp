@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "comparisons/discrepancy/diagnosis/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -51,10 +52,9 @@ bool EffectSearch::singles() {
   const auto starts_of = [&](std::size_t i) {
     if (i < ranked.size()) return around_.starts(ranked[i].first, starts_per_effect);
     const EffectCard& card = find_effect(forms[i - ranked.size()]).card;
-    const std::string formula = formula_within(card);
-    if (formula.empty()) return starts_of_free_form(card, seen_, base());
-    if (around_.best_probe(formula) > base().chi_square) return std::vector<EffectChoice>{};
-    return starts_beside_a_formula(card, around_.starts(formula, starts_per_effect));
+    if (card.contains.empty()) return starts_of_free_form(card, seen_, base());
+    if (around_.best_probe(card.contains) > base().chi_square) return std::vector<EffectChoice>{};
+    return starts_beside_a_formula(card, around_.starts(card.contains, starts_per_effect));
   };
   Fits fits = fit_all(ranked.size() + forms.size(), [&](std::size_t i) {
     return fit_extended(seen_, base(), starts_of(i), SearchEffort::first_look, within());
@@ -173,7 +173,9 @@ void EffectSearch::finish(Fits& looked_at) const {
   for (const AssessedFit& one : selection_.tried) best = std::min(best, one.fit.chi_square);
   std::vector<std::size_t> promising;
   for (std::size_t i = 0; i < looked_at.size(); ++i)
-    if (looked_at[i] && looked_at[i]->chi_square <= within_reach * best) promising.push_back(i);
+    if (looked_at[i] && !looked_at[i]->search.converged &&
+        looked_at[i]->chi_square <= within_reach * best)
+      promising.push_back(i);
   Fits finished = fit_all(promising.size(), [&](std::size_t i) {
     return fit_further(seen_, *looked_at[promising[i]], within());
   });
@@ -182,18 +184,14 @@ void EffectSearch::finish(Fits& looked_at) const {
 }
 
 bool EffectSearch::found(const Fits& fits) {
-  std::vector<const HypothesisFit*> ended;
   for (const auto& fit : fits)
-    if (fit) ended.push_back(&*fit);
-  std::vector<AssessedFit> assessed(ended.size());
-  in_parallel(ended.size(), [&](std::size_t i) {
-    assessed[i] = judge(seen_, *ended[i], effects_, rules_, seed_, Look::at_what_may_pass);
-  });
-  for (AssessedFit& one : assessed) selection_.tried.push_back(std::move(one));
+    if (fit) selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
   std::stable_sort(selection_.tried.begin(), selection_.tried.end(),
                    [](const AssessedFit& a, const AssessedFit& b) {
                      return a.fit.information_criterion < b.fit.information_criterion;
                    });
+  judge_candidates(selection_.tried, rules_.close_criterion,
+                   [&](AssessedFit& one) { judge_candidate(seen_, effects_, rules_, seed_, one); });
   selection_.indistinguishable = indistinguishable_models(selection_.tried, rules_.close_criterion);
   return !selection_.indistinguishable.empty();
 }

@@ -20,24 +20,16 @@ constexpr double difference_step = 0.02;  // of a logarithm: above FE's step noi
 constexpr double cost_tolerance = 1e-3;
 constexpr double reach = 3.0;  // of a logarithm, either way
 
-/// The histories of one ball against FE, as a calibration.
+/// Histories of one ball against FE, as a calibration.
 ///
 ///   unknowns   ln E, ln ratio; for every shot a gain, within what gain and speed leave open,
 ///              and a start
 class FemHistories {
  public:
-  FemHistories(const Observations& seen, std::size_t ball, FemRunner run)
-      : seen_(seen), run_(std::move(run)), nuisances_(seen.shots.size()) {
-    for (std::size_t i = 0; i < seen.shots.size(); ++i) {
-      if (seen.shots[i].ball != ball || !seen.shots[i].has_history()) continue;
-      shots_.push_back(i);
-      impacts_.push_back({.speed = seen.shots[i].impact.speed});
-    }
-    if (shots_.empty())
-      throw Error(ExitCode::solver_failed, "no force history to fit an FE model to");
+  FemHistories(const Observations& seen, std::vector<std::size_t> shots, FemRunner run)
+      : seen_(seen), run_(std::move(run)), nuisances_(seen.shots.size()), shots_(std::move(shots)) {
+    for (const std::size_t i : shots_) impacts_.push_back({.speed = seen.shots[i].impact.speed});
   }
-
-  const std::vector<std::size_t>& shots() const { return shots_; }
 
   /// Behind the numbers of the material.
   void add_nuisances(const HypothesisFit& lumped, std::vector<CalibrationParameter>& unknowns) {
@@ -121,12 +113,13 @@ FemProblem first_guess(const Sphere& sphere, const ImpactScalars& scalars) {
 
 }  // namespace
 
-FemProblem fit_fem_model(const Observations& seen, std::size_t ball, const HypothesisFit& lumped,
-                         const Mesh& mesh, const RunControl& control) {
-  const Sphere& sphere = seen.balls[ball].sphere;
-  FemHistories fem_fit(seen, ball, fem_runner(mesh, sphere, control));
-  const std::size_t reference = fem_fit.shots().front();
-  FemProblem problem = first_guess(sphere, lumped.model->impact(lumped.values, reference).scalars);
+FemProblem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
+                         const HypothesisFit& lumped, const Mesh& mesh, const RunControl& control) {
+  if (shots.empty()) throw Error(ExitCode::solver_failed, "no force history to fit an FE model to");
+  const Sphere& sphere = seen.balls[seen.shots[shots.front()].ball].sphere;
+  FemHistories fem_fit(seen, shots, fem_runner(mesh, sphere, control));
+  FemProblem problem =
+      first_guess(sphere, lumped.model->impact(lumped.values, shots.front()).scalars);
 
   CalibrationProblem calibration;
   const auto add_logarithm = [&](const char* name, double start) {

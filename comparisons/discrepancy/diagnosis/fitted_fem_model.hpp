@@ -8,7 +8,7 @@
 
 namespace rebound {
 
-/// FE's own idea of a ball that hides nothing, fitted to its force histories.
+/// FE's own idea of a ball that hides nothing, fitted to the histories of some shots.
 ///
 ///   elastic neo-Hookean sphere, ν = 0.4, one branch far faster than the
 ///   contact (loss without memory); unknown are its modulus and the branch's
@@ -18,8 +18,8 @@ namespace rebound {
 /// Caution: an error of the speed is taken as one of the force's scale alone,
 ///          F ~ v^1.2; the loss is what a fast branch gives, whatever the
 ///          believed law says.
-/// Errors:  those of calibrate() and FE; Error(solver_failed) without a history.
-FemProblem fit_fem_model(const Observations& seen, std::size_t ball, const HypothesisFit& lumped,
-                         const Mesh& mesh, const RunControl& control);
+/// Errors:  those of calibrate() and FE; Error(solver_failed) without a shot.
+FemProblem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
+                         const HypothesisFit& lumped, const Mesh& mesh, const RunControl& control);
 
 }  // namespace rebound

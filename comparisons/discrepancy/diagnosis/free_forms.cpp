@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
+
 namespace rebound {
 namespace {
 
@@ -102,60 +104,35 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
   }
   std::vector<EffectChoice> starts{start};
   for (const EffectParameterCard& parameter : card.parameters) {
+    if (!parameter.fitted) continue;
     std::vector<double> places = parameter.tried;
-    if (parameter.dimension == dimension::time)
-      for (const double share : {0.2, 1.0}) places.push_back(share * mean_contact_time(seen, fit));
-    if (!parameter.fitted || places.empty()) continue;
-    // A place or a time says nothing at no size.
-    start.size = 0.3 * card.prior_scale;
-    starts.clear();
-    for (const double place : places) {
-      starts.push_back(start);
-      starts.back().parameters[parameter.name] = place;
+    if (parameter.dimension == dimension::time) {
+      const double contact = mean_contact_time(seen, fit);
+      places.insert(places.end(), {0.2 * contact, contact});
     }
+    if (places.empty()) continue;
+    // A place or a time says nothing at no size; a large one puts a search far off its valley.
+    start.size = 0.03 * card.prior_scale;
+    starts = with_each({start}, parameter.name, places);
   }
   return starts;
 }
 
 std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
                                                   const std::vector<EffectChoice>& starts) {
-  std::vector<EffectChoice> all;
-  for (const EffectChoice& formula : starts) {
-    std::vector<EffectChoice> own{formula};
-    own.front().name = card.name;
-    for (const EffectParameterCard& parameter : card.parameters) {
-      if (formula.parameters.contains(parameter.name)) continue;
-      std::vector<EffectChoice> next;
-      for (const EffectChoice& one : own)
-        for (const double value : parameter.tried) {
-          next.push_back(one);
-          next.back().parameters[parameter.name] = value;
-        }
-      own = std::move(next);
-    }
-    all.insert(all.end(), own.begin(), own.end());
-  }
+  const auto& known = find_effect(card.contains).card.parameters;
+  std::vector<EffectChoice> all = starts;
+  for (EffectChoice& one : all) one.name = card.name;
+  for (const EffectParameterCard& parameter : card.parameters)
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const auto& one) { return one.name == parameter.name; }))
+      all = with_each(all, parameter.name, parameter.tried);
   return all;
-}
-
-std::string formula_within(const EffectCard& card) {
-  if (!card.curves.empty()) return {};
-  for (const Effect& effect : all_effects()) {
-    const EffectCard& formula = effect.card;
-    if (formula.is_free_form || formula.family != card.family || formula.parameters.empty() ||
-        formula.size_dimension != card.size_dimension)
-      continue;
-    if (std::all_of(formula.parameters.begin(), formula.parameters.end(), [&](const auto& one) {
-          return std::any_of(card.parameters.begin(), card.parameters.end(),
-                             [&](const auto& own) { return own.name == one.name; });
-        }))
-      return formula.name;
-  }
-  return {};
 }
 
 std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {
   std::vector<FactorBand> bands;
+  std::optional<Eigen::MatrixXd> covariance;
   for (const CurveCard& curve : find_effect(fit.effects[k].name).card.curves) {
     FactorBand& band = bands.emplace_back(FactorBand{.of = curve.of, .quantity = curve.quantity});
     const double reach = curve.reach.empty() ? 1.0 : fit.effects[k].parameters.at(curve.reach);
@@ -175,7 +152,9 @@ std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {
       band.low.push_back(std::min(low, high));
       band.high.push_back(std::max(low, high));
     }
-    if (curve.level_is_the_laws) keep_shape(band, unknowns, sign, covariance_of(fit));
+    if (!curve.level_is_the_laws) continue;
+    if (!covariance) covariance = covariance_of(fit);
+    keep_shape(band, unknowns, sign, *covariance);
   }
   return bands;
 }

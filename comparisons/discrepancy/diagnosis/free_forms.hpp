@@ -15,12 +15,8 @@ std::vector<std::string> free_forms(const std::vector<EffectChoice>& present);
 std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Observations& seen,
                                               const HypothesisFit& fit);
 
-/// The formula of its family that a free form without curves contains, as a plate on a frame
-/// contains a plate; empty: none.
-std::string formula_within(const EffectCard& card);
-
-/// Where a search for such a free form starts: where that formula does, with its further numbers
-/// where the card says.
+/// Where a search for a free form that contains a formula starts: where that formula does, with
+/// its further numbers where the card says.
 std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
                                                   const std::vector<EffectChoice>& starts);
 

@@ -42,15 +42,37 @@ double peak_of(const std::vector<double>& force) {
   return *std::max_element(force.begin(), force.end());
 }
 
-/// Every nominal speed at which the ball was hit, once.
+/// Is the distance between the tiers at one of these speeds that at the other?
+bool one_distance(double a, double b) {
+  constexpr double alike = 0.02;  // of a speed: the distance changes as slowly as speed over c
+  return std::abs(a - b) <= alike * b;
+}
+
+/// The speeds at which a ball was hit, repeats once.
 std::vector<Impact> impacts_of(const Observations& all, std::size_t ball) {
   std::vector<Impact> impacts;
   for (const MeasuredImpact& shot : all.shots) {
-    const bool known = std::any_of(impacts.begin(), impacts.end(),
-                                   [&](const Impact& i) { return i.speed == shot.impact.speed; });
+    const bool known = std::any_of(impacts.begin(), impacts.end(), [&](const Impact& i) {
+      return one_distance(i.speed, shot.impact.speed);
+    });
     if (shot.ball == ball && !known) impacts.push_back({.speed = shot.impact.speed});
   }
   return impacts;
+}
+
+/// A shot with a history for each of these impacts, where there is one.
+std::vector<std::size_t> without_repeats(const Observations& seen, std::size_t ball,
+                                         const std::vector<Impact>& impacts) {
+  std::vector<std::size_t> shots;
+  for (const Impact& impact : impacts) {
+    const auto first = std::find_if(seen.shots.begin(), seen.shots.end(), [&](const auto& shot) {
+      return shot.ball == ball && shot.has_history() &&
+             one_distance(impact.speed, shot.impact.speed);
+    });
+    if (first != seen.shots.end())
+      shots.push_back(static_cast<std::size_t>(first - seen.shots.begin()));
+  }
+  return shots;
 }
 
 /// The fitted FE model's histories as if they had been measured.
@@ -109,7 +131,7 @@ double DiscrepancyCurve::at(double phase) const {
 Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scalars,
                                  std::size_t ball, double speed) const {
   const auto curve = std::find_if(curves.begin(), curves.end(), [&](const DiscrepancyCurve& c) {
-    return c.ball == ball && c.speed == speed;
+    return c.ball == ball && one_distance(c.speed, speed);
   });
   if (curve == curves.end())
     throw Error(ExitCode::bad_input,
@@ -137,7 +159,8 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
     const MeshPair meshes = meshes_for(all.balls[ball].sphere, own, control);
     gap.cells = {static_cast<int>(meshes.coarse.cells.size()),
                  static_cast<int>(meshes.fine.cells.size())};
-    const FemProblem fem_fit = fit_fem_model(seen, ball, fit, meshes.fine, control);
+    const FemProblem fem_fit =
+        fit_fem_model(seen, without_repeats(seen, ball, impacts), fit, meshes.fine, control);
     const auto fine =
         run_impacts(fem_fit, impacts, fem_runner(meshes.fine, fem_fit.sphere, control));
     const auto coarse =

@@ -30,9 +30,7 @@ bool is_secondary(const EffectCard& card, const std::string& unknown) {
 }
 
 bool leaves_out_null(const EffectCard& card, double size, double low, double high) {
-  const double scale =
-      card.oscillator ? std::min(card.prior_scale, size - card.null) : card.prior_scale;
-  const double slack = next_to_null * scale;
+  const double slack = next_to_null * size_scale(card, size);
   return !std::isfinite(card.null) || low - slack > card.null || high + slack < card.null;
 }
 

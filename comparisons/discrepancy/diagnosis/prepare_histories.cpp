@@ -14,8 +14,6 @@
 namespace rebound {
 namespace {
 
-// Of the peak: above any noise that allows a diagnosis, and a higher level to see the slope by.
-constexpr double clearly_in_contact = 0.1, well_in_contact = 0.3;
 // A contact; fewer where shots are many: a shape takes a hundred, and noise is averaged with it.
 constexpr std::size_t most_samples = 600, fewest_samples = 150, most_samples_in_all = 6000;
 constexpr double worth_a_warning = 0.3;   // rounding over noise: 5 % of its deviation

@@ -1,64 +1,10 @@
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "comparisons/discrepancy/diagnosis/effect_search.hpp"
 
 namespace rebound {
-namespace {
-
-/// χ² + 2 k. By χ² + k ln N alone, an adequate model of one number would exclude a truth of two:
-/// ln N of all samples is more than the reach of a set.
-double prediction_criterion(const AssessedFit& one) {
-  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns;
-}
-
-/// Is `general` what `special` is, with a free curve in place of the formulas of its family?
-bool frees_formulas_of(const HypothesisFit& general, const HypothesisFit& special) {
-  EffectNames formulas = names_of(special.effects);
-  for (const EffectChoice& one : general.effects) {
-    const EffectCard& free = find_effect(one.name).card;
-    if (!free.is_free_form || formulas.contains(one.name)) continue;
-    std::erase_if(formulas, [&](const std::string& name) {
-      return find_effect(name).card.family == free.family;
-    });
-  }
-  const EffectNames own = names_of(general.effects);
-  return formulas.size() < special.effects.size() &&
-         std::includes(own.begin(), own.end(), formulas.begin(), formulas.end());
-}
-
-}  // namespace
-
-std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
-                                                  double reach) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  double best = none, best_prediction = none;
-  for (const AssessedFit& one : tried) {
-    if (!one.adequate) continue;
-    best = std::min(best, one.fit.information_criterion);
-    best_prediction = std::min(best_prediction, prediction_criterion(one));
-  }
-  std::vector<std::size_t> members;
-  for (std::size_t i = 0; i < tried.size(); ++i)
-    if (tried[i].adequate && (tried[i].fit.information_criterion <= best + reach ||
-                              prediction_criterion(tried[i]) <= best_prediction + reach))
-      members.push_back(i);
-  std::vector<std::size_t> minimal;
-  for (const std::size_t i : members) {
-    const EffectNames own = names_of(tried[i].fit.effects);
-    const bool needs_not_all = std::any_of(members.begin(), members.end(), [&](std::size_t j) {
-      const EffectNames other = names_of(tried[j].fit.effects);
-      return (other.size() < own.size() &&
-              std::includes(own.begin(), own.end(), other.begin(), other.end())) ||
-             frees_formulas_of(tried[i].fit, tried[j].fit);
-    });
-    if (!needs_not_all) minimal.push_back(i);
-  }
-  return minimal;
-}
-
 namespace {
 
 /// The search itself: singles and families, then sets.
@@ -84,17 +30,18 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
 }
 
 /// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
-/// it? Then the baseline, judged as a candidate is, stands: a name needs a criterion that is better
-/// than that of no effect by as much as one candidate must be better than another.
-bool no_effect_is_worth_it(const Observations& seen, const EffectSelection& selection,
-                           const std::vector<std::string>& effects, const SelectionRules& rules,
+/// it? A name needs a criterion that is better than that of no effect by as much as one candidate
+/// must be better than another; where none has it, what is left over is no evidence of an effect.
+bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& around,
+                           const EffectSelection& selection, const SelectionRules& rules,
                            std::uint64_t seed) {
-  const HypothesisFit& baseline = selection.baseline.fit;
-  for (const std::size_t i : selection.indistinguishable)
-    if (selection.tried[i].fit.information_criterion <
-        baseline.information_criterion - rules.close_criterion)
-      return false;
-  return judge(seen, baseline, effects, rules, seed, Look::at_what_may_pass).adequate;
+  const AssessedFit& baseline = selection.baseline;
+  return baseline.p_value > rules.smallest_adequate_p &&
+         residual_map(seen, baseline.fit, around, rules.candidate_level, seed).quiet() &&
+         std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
+           return one.fit.information_criterion <
+                  baseline.fit.information_criterion - rules.close_criterion;
+         });
 }
 
 }  // namespace
@@ -103,15 +50,15 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
                                std::uint64_t seed, const RunControl& control) {
   EffectSelection selection;
-  selection.baseline.fit = std::move(baseline);
+  selection.baseline = judge_by_chi_square(seen, std::move(baseline), rules);
   EffectSensitivities around(seen, selection.baseline.fit, effects);
-  judge_by(around, seen, rules, seed, Look::at_all, selection.baseline);
+  look_closely(seen, around, rules, rules.false_gap_level, seed, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
   if (!selection.baseline.adequate) {
     EffectSearch search(seen, around, effects, rules, seed, control, selection);
     search_effects(search, selection, rules);
-    selection.baseline.adequate = no_effect_is_worth_it(seen, selection, effects, rules, seed);
+    selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
   }
   if (selection.baseline.adequate) {
     selection.indistinguishable.clear();

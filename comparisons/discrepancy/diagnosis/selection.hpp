@@ -22,12 +22,6 @@ struct EffectSelection {
   bool explains() const { return baseline.adequate || !indistinguishable.empty(); }
 };
 
-/// Adequate, within reach of the best adequate one by either criterion (χ² + k ln N, χ² + 2 k), and
-/// without a smaller adequate set inside or one with a formula in place of a free curve: indices
-/// into `tried`.
-std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
-                                                  double reach);
-
 /// Looks for the smallest sets of effects that explain what the baseline does not.
 ///
 ///   1 first-order score of every effect on the baseline's residuals

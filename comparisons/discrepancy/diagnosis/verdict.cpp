@@ -6,6 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
+#include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
+
 namespace rebound {
 namespace {
 
@@ -17,45 +20,14 @@ std::vector<std::string> added_effects(const Diagnosis& d, const HypothesisFit& 
   return names;
 }
 
-/// What the missing force depends on, by one candidate; none where its effects differ.
-EffectFamily family_of(const std::vector<std::string>& names) {
-  EffectFamily family = EffectFamily::none;
-  for (const std::string& name : names) {
-    const EffectFamily own = find_effect(name).card.family;
-    if (family != EffectFamily::none && own != family) return EffectFamily::none;
-    family = own;
-  }
-  return family;
-}
-
-EffectFamily common_family(const std::vector<std::vector<std::string>>& candidates) {
-  const EffectFamily first = family_of(candidates.front());
-  const bool same = std::all_of(candidates.begin(), candidates.end(),
-                                [&](const auto& names) { return family_of(names) == first; });
-  return same ? first : EffectFamily::none;
-}
-
-/// The family in all candidates that explains by itself most of what they explain; none where two
-/// share it.
-EffectFamily main_family(const Diagnosis& d, const HypothesisFit& best) {
-  constexpr double most = 0.8;
+/// What each fit of the search explains by itself, over what the best does.
+std::vector<ExplainedShare> explained_shares(const Diagnosis& d, const HypothesisFit& best) {
   const double before = d.selection.baseline.fit.chi_square;
-  EffectFamily found = EffectFamily::none;
-  for (const AssessedFit& one : d.selection.tried) {
-    const EffectFamily family = family_of(added_effects(d, one.fit));
-    const bool in_all =
-        std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
-          return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-            return find_effect(name).card.family == family;
-          });
-        });
-    if (family == EffectFamily::none || !in_all ||
-        before - one.fit.chi_square < most * (before - best.chi_square))
-      continue;
-    if (found != EffectFamily::none && found != family) return EffectFamily::none;
-    found = family;
-  }
-  return found;
+  std::vector<ExplainedShare> shares;
+  for (const AssessedFit& one : d.selection.tried)
+    shares.push_back(
+        {added_effects(d, one.fit), (before - one.fit.chi_square) / (before - best.chi_square)});
+  return shares;
 }
 
 /// What a candidate adds to the believed model, with numbers and intervals.
@@ -83,7 +55,8 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   if (fits.empty()) fits.push_back(&d.selection.baseline.fit);  // set right by its formula alone
   for (const auto* fit : fits) d.candidates.push_back(added_effects(d, *fit));
   d.family = common_family(d.candidates);
-  if (d.family == EffectFamily::none) d.family = main_family(d, *fits.front());
+  if (d.family == EffectFamily::none)
+    d.family = main_family(d.candidates, explained_shares(d, *fits.front()));
   const auto in_all = [&](const std::string& name) {
     return std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
       return std::find(names.begin(), names.end(), name) != names.end();
@@ -194,16 +167,6 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
     d.effects.push_back(named_effect(baseline, k));
 }
 
-/// Were all shots that were fitted made at one speed?
-bool at_one_speed(const Observations& seen) {
-  constexpr double alike = 0.02;
-  const auto slower = [](const MeasuredImpact& a, const MeasuredImpact& b) {
-    return a.impact.speed < b.impact.speed;
-  };
-  const auto [slow, fast] = std::minmax_element(seen.shots.begin(), seen.shots.end(), slower);
-  return fast->impact.speed <= (1.0 + alike) * slow->impact.speed;
-}
-
 }  // namespace
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
@@ -216,7 +179,7 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
     d.effects = additions(d, d.best());
   } else if (d.extended()) {
     conclude_from_candidates(d, rules);
-    if (d.verdict == DiagnosisVerdict::missing && at_one_speed(*d.seen))
+    if (d.verdict == DiagnosisVerdict::missing && speed_clusters(*d.seen).size() < 2)
       withhold(
           d,
           d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,

@@ -10,13 +10,11 @@
 namespace rebound {
 namespace {
 
-constexpr double in_contact = 0.1, clearly = 0.3;  // of the peak
-
 /// Index before which a record has to end for its first impact alone; its size where there is one.
 /// Between the two levels lies more than noise.
 std::size_t end_of_first_impact(const std::vector<double>& force, double peak) {
-  const auto high = [=](double f) { return f > clearly * peak; };
-  const auto low = [=](double f) { return f < in_contact * peak; };
+  const auto high = [=](double f) { return f > well_in_contact * peak; };
+  const auto low = [=](double f) { return f < clearly_in_contact * peak; };
   const auto touch = std::find_if(force.begin(), force.end(), high);
   for (auto from = touch; from != force.end();) {
     const auto left = std::find_if(from, force.end(), low);
@@ -57,7 +55,7 @@ void keep_whole_impact(MeasuredImpact& shot, std::vector<std::string>& warnings)
     trace.force.resize(end);
     if (!trace.deflection.empty()) trace.deflection.resize(end);
   }
-  const SampleRange contact = contact_window(trace.force, in_contact * peak);
+  const SampleRange contact = contact_window(trace.force, clearly_in_contact * peak);
   std::string defect;
   if (contact.first == 0)
     defect = fmt::format("starts in the contact, at {:.2g} of the peak force",

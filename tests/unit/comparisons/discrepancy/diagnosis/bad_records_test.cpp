@@ -164,7 +164,7 @@ TEST(BadRecordsTest, ARestitutionAboveOneIsNoPhysics) {
   }
 }
 
-// A stiffness a thousand times too small is out of every search's reach.
+// A stiffness ten thousand times too small is out of every search's reach.
 TEST(BadRecordsTest, ABelievedModelThatCannotBeFittedNamesNothing) {
   DiagnosisRequest request;
   request.datasets = {null_data(51)};

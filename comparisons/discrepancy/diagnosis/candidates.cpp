@@ -1,0 +1,91 @@
+#include "comparisons/discrepancy/diagnosis/candidates.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "comparisons/discrepancy/diagnosis/effect_search.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
+
+namespace rebound {
+namespace {
+
+/// χ² + 2 k. By χ² + k ln N alone, an adequate model of one number would exclude a truth of two:
+/// ln N of all samples is more than the reach of a set.
+double prediction_criterion(const AssessedFit& one) {
+  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns;
+}
+
+/// The best of either criterion.
+struct Criteria {
+  double information = std::numeric_limits<double>::infinity();
+  double prediction = std::numeric_limits<double>::infinity();
+};
+
+/// Of all adequate fits; infinite where there are none.
+Criteria best_of(const std::vector<AssessedFit>& tried) {
+  Criteria best;
+  for (const AssessedFit& one : tried) {
+    if (!one.adequate) continue;
+    best.information = std::min(best.information, one.fit.information_criterion);
+    best.prediction = std::min(best.prediction, prediction_criterion(one));
+  }
+  return best;
+}
+
+bool within_reach(const AssessedFit& one, const Criteria& best, double reach) {
+  return one.fit.information_criterion <= best.information + reach ||
+         prediction_criterion(one) <= best.prediction + reach;
+}
+
+/// Is `general` what `special` is, with a free curve in place of the formulas of its family?
+bool frees_formulas_of(const HypothesisFit& general, const HypothesisFit& special) {
+  EffectNames formulas = names_of(special.effects);
+  for (const EffectChoice& one : general.effects) {
+    const EffectCard& free = find_effect(one.name).card;
+    if (!free.is_free_form || formulas.contains(one.name)) continue;
+    std::erase_if(formulas, [&](const std::string& name) {
+      return find_effect(name).card.family == free.family;
+    });
+  }
+  const EffectNames own = names_of(general.effects);
+  return formulas.size() < special.effects.size() &&
+         std::includes(own.begin(), own.end(), formulas.begin(), formulas.end());
+}
+
+}  // namespace
+
+void judge_candidates(std::vector<AssessedFit>& tried, double reach,
+                      const std::function<void(AssessedFit&)>& judge) {
+  constexpr std::size_t together = 4;  // whatever the number of threads, for the same answer
+  for (;;) {
+    const Criteria best = best_of(tried);
+    std::vector<AssessedFit*> next;
+    for (AssessedFit& one : tried)
+      if (!one.judged && within_reach(one, best, reach) && next.size() < together)
+        next.push_back(&one);
+    if (next.empty()) return;
+    in_parallel(next.size(), [&](std::size_t i) { judge(*next[i]); });
+  }
+}
+
+std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
+                                                  double reach) {
+  const Criteria best = best_of(tried);
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < tried.size(); ++i)
+    if (tried[i].adequate && within_reach(tried[i], best, reach)) members.push_back(i);
+  std::vector<std::size_t> minimal;
+  for (const std::size_t i : members) {
+    const EffectNames own = names_of(tried[i].fit.effects);
+    const bool needs_not_all = std::any_of(members.begin(), members.end(), [&](std::size_t j) {
+      const EffectNames other = names_of(tried[j].fit.effects);
+      return (other.size() < own.size() &&
+              std::includes(own.begin(), own.end(), other.begin(), other.end())) ||
+             frees_formulas_of(tried[i].fit, tried[j].fit);
+    });
+    if (!needs_not_all) minimal.push_back(i);
+  }
+  return minimal;
+}
+
+}  // namespace rebound

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
+
+/// Which of the fits of a search are candidates.
+namespace rebound {
+
+/// Judges those fits that may become candidates, best criterion first: what is beyond reach of an
+/// adequate one need not be judged. `tried` must be in the order of the information criterion.
+void judge_candidates(std::vector<AssessedFit>& tried, double reach,
+                      const std::function<void(AssessedFit&)>& judge);
+
+/// Adequate, within reach of the best adequate one by either criterion (χ² + k ln N, χ² + 2 k), and
+/// without a smaller adequate set inside or one with a formula in place of a free curve: indices
+/// into `tried`.
+std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
+                                                  double reach);
+
+}  // namespace rebound
