@@ -153,18 +153,21 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
   const Forces f = acting_forces(phase, y);
   const double total = f.contact();
   const double closing = closing_speed(y);
-  rate = {};
   rate[approach] = approach_rate(phase, y);
   rate[velocity] = mechanisms_.gravity - total / setup_.mass;
   rate[impulse] = total;
   rate[dissipated] = (total - f.elastic) * closing;
-  if (mechanisms_.relaxation.ratio != 0.0)
-    rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
-  if (law_branch_.ratio != 0.0)
-    rate[law_relaxed] = relaxed_rate(law_branch_, f.elastic, y[law_relaxed]);
-  for (std::size_t k = 0; k < mechanisms_.further_relaxation.size(); ++k)
-    if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
-      rate[further_relaxed + k] = relaxed_rate(branch, f.elastic, y[further_relaxed + k]);
+  const auto relax = [&](const RelaxationBranch& branch, std::size_t state) {
+    rate[state] = branch.ratio != 0.0 ? relaxed_rate(branch, f.elastic, y[state]) : 0.0;
+  };
+  relax(mechanisms_.relaxation, relaxed);
+  relax(law_branch_, law_relaxed);
+  relax(mechanisms_.further_relaxation[0], further_relaxed);
+  relax(mechanisms_.further_relaxation[1], last_relaxed);
+  // One by one: zeros for all states at once are compiled to an instruction that is slow to start.
+  rate[plate_displacement] = rate[plate_velocity] = 0.0;
+  rate[frame_displacement] = rate[frame_velocity] = 0.0;
+  rate[mode_displacement] = rate[mode_velocity] = 0.0;
   if (plate_.moves()) {
     const PlateMotion plate = plate_motion(y), frame = frame_motion(y);
     const double extension_rate = plate.velocity - frame.velocity;
