@@ -42,6 +42,7 @@ ComposedContact::ComposedContact(const LumpedProblem& problem)
       setup_(checked_setup(problem)),
       radius_(problem.sphere.radius()),
       elastic_(law_, mechanisms_, {.radius = radius_, .speed = setup_.speed}),
+      damping_varies_(mechanisms_.damping != DampingFactors{}),
       scales_(contact_scales(elastic_, setup_)),
       peak_force_(elastic_.elastic_force(scales_.deflection)),
       pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
@@ -119,7 +120,10 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
       f.branch += branch_force(branch, f.elastic, y[further_relaxed + k]);
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
-      [&](const auto& law) { return damping_force(law, mechanisms_.damping, radius_, x, rate); },
+      [&](const auto& law) {
+        return damping_varies_ ? damping_force(law, mechanisms_.damping, radius_, x, rate)
+                               : law.damping_force(x, rate);
+      },
       law_);
   if (pull_off_ != 0.0) {
     const double largest = phase.kind == Kind::loading ? x : phase.largest;

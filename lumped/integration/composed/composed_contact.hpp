@@ -136,6 +136,7 @@ class ComposedContact {
   ContactSetup setup_;
   double radius_;
   ElasticForce elastic_;
+  bool damping_varies_;  ///< is there a factor on the law's damping, or a dashpot beside it
   ContactScales scales_;
   double peak_force_;       ///< elastic force at the scale deflection [N]
   double pull_off_;         ///< P [N]
