@@ -95,17 +95,10 @@ State ComposedContact::initial_state() const {
   return y;
 }
 
-double ComposedContact::closing_speed(const State& y) const {
-  return y[velocity] - y[plate_velocity] - mechanisms_.mode.mass_fraction * y[mode_velocity];
-}
-
-double ComposedContact::approach_rate(const Phase& phase, const State& y) const {
-  const double closing = closing_speed(y);
-  if (body_compliance_ == 0.0 || phase.kind == Kind::pulled) return closing;
+double ComposedContact::contact_share(const Phase& phase, const State& y) const {
   const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
-  // Near the largest x the correction can give, and beyond, the step is refused.
   constexpr double least_share = 0.05;
-  return share > least_share ? closing / share : std::numeric_limits<double>::quiet_NaN();
+  return share > least_share ? share : std::numeric_limits<double>::quiet_NaN();
 }
 
 ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State& y) const {
