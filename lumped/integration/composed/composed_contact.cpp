@@ -42,6 +42,7 @@ ComposedContact::ComposedContact(const LumpedProblem& problem)
       setup_(checked_setup(problem)),
       radius_(problem.sphere.radius()),
       elastic_(law_, mechanisms_, {.radius = radius_, .speed = setup_.speed}),
+      damping_varies_(mechanisms_.damping != DampingFactors{}),
       scales_(contact_scales(elastic_, setup_)),
       peak_force_(elastic_.elastic_force(scales_.deflection)),
       pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
@@ -94,17 +95,10 @@ State ComposedContact::initial_state() const {
   return y;
 }
 
-double ComposedContact::closing_speed(const State& y) const {
-  return y[velocity] - y[plate_velocity] - mechanisms_.mode.mass_fraction * y[mode_velocity];
-}
-
-double ComposedContact::approach_rate(const Phase& phase, const State& y) const {
-  const double closing = closing_speed(y);
-  if (body_compliance_ == 0.0 || phase.kind == Kind::pulled) return closing;
+double ComposedContact::contact_share(const Phase& phase, const State& y) const {
   const double share = 1.0 - body_compliance_ * elastic_.stiffness(phase, y[approach]);
-  // Near the largest x the correction can give, and beyond, the step is refused.
   constexpr double least_share = 0.05;
-  return share > least_share ? closing / share : std::numeric_limits<double>::quiet_NaN();
+  return share > least_share ? share : std::numeric_limits<double>::quiet_NaN();
 }
 
 ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State& y) const {
@@ -119,7 +113,10 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
       f.branch += branch_force(branch, f.elastic, y[further_relaxed + k]);
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
-      [&](const auto& law) { return damping_force(law, mechanisms_.damping, radius_, x, rate); },
+      [&](const auto& law) {
+        return damping_varies_ ? damping_force(law, mechanisms_.damping, radius_, x, rate)
+                               : law.damping_force(x, rate);
+      },
       law_);
   if (pull_off_ != 0.0) {
     const double largest = phase.kind == Kind::loading ? x : phase.largest;
@@ -153,18 +150,21 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
   const Forces f = acting_forces(phase, y);
   const double total = f.contact();
   const double closing = closing_speed(y);
-  rate = {};
   rate[approach] = approach_rate(phase, y);
   rate[velocity] = mechanisms_.gravity - total / setup_.mass;
   rate[impulse] = total;
   rate[dissipated] = (total - f.elastic) * closing;
-  if (mechanisms_.relaxation.ratio != 0.0)
-    rate[relaxed] = relaxed_rate(mechanisms_.relaxation, f.elastic, y[relaxed]);
-  if (law_branch_.ratio != 0.0)
-    rate[law_relaxed] = relaxed_rate(law_branch_, f.elastic, y[law_relaxed]);
-  for (std::size_t k = 0; k < mechanisms_.further_relaxation.size(); ++k)
-    if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
-      rate[further_relaxed + k] = relaxed_rate(branch, f.elastic, y[further_relaxed + k]);
+  const auto relax = [&](const RelaxationBranch& branch, std::size_t state) {
+    rate[state] = branch.ratio != 0.0 ? relaxed_rate(branch, f.elastic, y[state]) : 0.0;
+  };
+  relax(mechanisms_.relaxation, relaxed);
+  relax(law_branch_, law_relaxed);
+  relax(mechanisms_.further_relaxation[0], further_relaxed);
+  relax(mechanisms_.further_relaxation[1], last_relaxed);
+  // One by one: zeros for all states at once are compiled to an instruction that is slow to start.
+  rate[plate_displacement] = rate[plate_velocity] = 0.0;
+  rate[frame_displacement] = rate[frame_velocity] = 0.0;
+  rate[mode_displacement] = rate[mode_velocity] = 0.0;
   if (plate_.moves()) {
     const PlateMotion plate = plate_motion(y), frame = frame_motion(y);
     const double extension_rate = plate.velocity - frame.velocity;

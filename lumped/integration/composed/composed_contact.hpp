@@ -120,8 +120,15 @@ class ComposedContact {
     return {y[frame_displacement], y[frame_velocity]};
   }
   static ModeMotion mode_motion(const State& y) { return {y[mode_displacement], y[mode_velocity]}; }
-  double closing_speed(const State& y) const;
-  double approach_rate(const Phase& phase, const State& y) const;
+  double closing_speed(const State& y) const {
+    return y[velocity] - y[plate_velocity] - mechanisms_.mode.mass_fraction * y[mode_velocity];
+  }
+  double approach_rate(const Phase& phase, const State& y) const {
+    const bool body_gives_way = body_compliance_ != 0.0 && phase.kind != Phase::Kind::pulled;
+    return body_gives_way ? closing_speed(y) / contact_share(phase, y) : closing_speed(y);
+  }
+  /// 1 − c F_e′. NaN near the largest x the correction can give, and beyond: the step is refused.
+  double contact_share(const Phase& phase, const State& y) const;
   /// As if they touched.
   Forces forces(const Phase& phase, const State& y) const;
   /// Those that act: of a pull alone, or none, while they are apart.
@@ -140,6 +147,7 @@ class ComposedContact {
   ContactSetup setup_;
   double radius_;
   ElasticForce elastic_;
+  bool damping_varies_;  ///< is there a factor on the law's damping, or a dashpot beside it
   ContactScales scales_;
   double peak_force_;       ///< elastic force at the scale deflection [N]
   double pull_off_;         ///< P [N]

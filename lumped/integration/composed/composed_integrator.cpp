@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t most_attempts = 50'000;
 
+/// States of most contacts. What few have beyond them costs the others nothing.
+constexpr std::size_t most_use = ComposedContact::further_relaxed;
+
 using Event = ComposedContact::Event;
 
 Error no_way_on() {
@@ -39,9 +42,8 @@ ComposedIntegrator::Step ComposedIntegrator::step_of(const Start& start, double 
     return rate;
   };
   Step step;
-  // What few contacts have costs the others nothing.
-  if (states_used_ == ComposedContact::further_relaxed)
-    step.take<ComposedContact::further_relaxed>(field, start.state, start.rate, length);
+  if (states_used_ == most_use)
+    step.take<most_use>(field, start.state, start.rate, length);
   else
     step.take(field, start.state, start.rate, length);
   return step;
@@ -151,17 +153,6 @@ const ComposedEnd& ComposedIntegrator::integrate() {
               "explicit method");
 }
 
-ComposedContact::State state_within(const ComposedStepEnd& step_end, double fraction) {
-  const double s = fraction, r = 1.0 - s;
-  const double value0 = r * r * (1.0 + 2.0 * s), slope0 = step_end.length * s * r * r;
-  const double value1 = s * s * (1.0 + 2.0 * r), slope1 = -step_end.length * s * s * r;
-  ComposedContact::State y;
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] = value0 * step_end.state[i] + slope0 * step_end.rate[i] + value1 * step_end.end_state[i] +
-           slope1 * step_end.end_rate[i];
-  return y;
-}
-
 Trace ComposedIntegrator::sample(int samples) const {
   TraceRecorder recorder(contact_, samples);
   std::size_t k = 0;
@@ -169,8 +160,10 @@ Trace ComposedIntegrator::sample(int samples) const {
     const double instant = end_.time * i / (samples - 1);
     while (k + 1 < step_ends_count_.size() && step_ends_count_[k + 1].time <= instant) ++k;
     const ComposedStepEnd& step_end = step_ends_count_[k];
+    const double fraction = (instant - step_end.time) / step_end.length;
     recorder.record(instant, step_end.phase,
-                    state_within(step_end, (instant - step_end.time) / step_end.length));
+                    states_used_ == most_use ? state_within<most_use>(step_end, fraction)
+                                             : state_within(step_end, fraction));
   }
   recorder.record(end_.time, end_.phase, end_.state);
   return recorder.take();

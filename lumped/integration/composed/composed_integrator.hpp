@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lumped/integration/composed/composed_contact.hpp"
@@ -24,8 +25,20 @@ struct ComposedStepEnd {
   ComposedContact::State end_state, end_rate;  ///< where it ends
 };
 
-/// All states at a fraction of a step, by cubic Hermite polynomials.
-ComposedContact::State state_within(const ComposedStepEnd& step_end, double fraction);
+/// All states at a fraction of a step, by cubic Hermite polynomials. Only the first `Used` move;
+/// the others are zero.
+template <std::size_t Used = ComposedContact::states>
+ComposedContact::State state_within(const ComposedStepEnd& step_end, double fraction) {
+  const double s = fraction, r = 1.0 - s;
+  const double value0 = r * r * (1.0 + 2.0 * s), slope0 = step_end.length * s * r * r;
+  const double value1 = s * s * (1.0 + 2.0 * r), slope1 = -step_end.length * s * s * r;
+  ComposedContact::State y;
+  for (std::size_t i = 0; i < Used; ++i)
+    y[i] = value0 * step_end.state[i] + slope0 * step_end.rate[i] + value1 * step_end.end_state[i] +
+           slope1 * step_end.end_rate[i];
+  std::fill(y.begin() + Used, y.end(), 0.0);
+  return y;
+}
 
 /// Integrates a composed contact by explicit steps in time: Dormand–Prince
 /// 5(4), local error of every state below the tolerance times its scale.
