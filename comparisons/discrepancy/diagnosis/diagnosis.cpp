@@ -126,6 +126,7 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
 void predict_held_out(Diagnosis& d) {
   d.unseen_before = predict_unseen(*d.unseen, d.believed.fit);
   d.gap.held_out_before = d.unseen_before->reduced_chi_square;
+  d.gap.held_out_noise = d.unseen_before->deviation;
   if (!d.extended()) return;
   d.unseen_after = predict_unseen(*d.unseen, d.best());
   d.gap.held_out_after = d.unseen_after->reduced_chi_square;

@@ -37,6 +37,7 @@ constexpr auto names_of(DiagnosisVerdict) {
 /// Reduced whitened χ², 1 is the noise; absent where not computed.
 struct Gap {
   std::optional<double> before, after, held_out_before, held_out_after;
+  double held_out_noise = 0.0;  ///< its deviation at the unseen speed when nothing is missing
 };
 
 struct DiagnosisRequest {

@@ -53,10 +53,12 @@ std::string sizes_of(const HypothesisFit& fit) {
       text += "on";
       continue;
     }
-    const Estimate& e = fit.search.estimates[unknowns[0]];
-    text += std::isfinite(e.standard_error)
-                ? fmt::format("{:.3g} ± {:.2g}", e.value, e.standard_error)
-                : fmt::format("{:.3g}, not identifiable", e.value);
+    const double size = fit.effects[k].size,
+                 error = fit.search.estimates[unknowns[0]].standard_error;
+    const bool relative = has_logarithmic_size(find_effect(fit.effects[k].name).card);
+    text += std::isfinite(error)
+                ? fmt::format("{:.3g} ± {:.2g}", size, relative ? size * error : error)
+                : fmt::format("{:.3g}, not identifiable", size);
   }
   return text;
 }

@@ -54,7 +54,9 @@ bool EffectSearch::singles() {
     const EffectCard& card = find_effect(forms[i - ranked.size()]).card;
     if (card.contains.empty()) return starts_of_free_form(card, seen_, base());
     if (around_.best_probe(card.contains) > base().chi_square) return std::vector<EffectChoice>{};
-    return starts_beside_a_formula(card, around_.starts(card.contains, starts_per_effect));
+    std::vector<EffectChoice> nearest = around_.starts(card.contains, starts_per_effect);
+    if (nearest.size() > starts_per_effect) nearest.resize(starts_per_effect);
+    return starts_beside_a_formula(card, nearest);
   };
   Fits fits = fit_all(ranked.size() + forms.size(), [&](std::size_t i) {
     return fit_extended(seen_, base(), starts_of(i), SearchEffort::first_look, within());

@@ -137,9 +137,20 @@ void EffectSensitivities::look_for_starts() {
 
 std::vector<EffectChoice> EffectSensitivities::starts(const std::string& name,
                                                       std::size_t count) const {
+  const auto& oscillator = find_effect(name).card.oscillator;
   std::vector<EffectChoice> best;
-  for (const EffectProbe& probe : probes_)
-    if (probe.effect.name == name && best.size() < count) best.push_back(probe.effect);
+  for (const EffectProbe& probe : probes_) {
+    if (probe.effect.name != name) continue;
+    if (!oscillator) {
+      if (best.size() < count) best.push_back(probe.effect);
+      continue;
+    }
+    constexpr double same = 1e-6;
+    if (best.empty() ||
+        std::abs(oscillator->frequency_of(probe.effect) / oscillator->frequency_of(best.front()) -
+                 1.0) < same)
+      best.push_back(probe.effect);
+  }
   return best;
 }
 

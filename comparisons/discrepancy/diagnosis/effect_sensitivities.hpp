@@ -66,7 +66,8 @@ class EffectSensitivities {
 
   /// The most promising numbers to start a search for one effect from: the
   /// best of a grid over its sizes and fitted parameters. A plate that rings
-  /// has a narrow valley for every frequency; no search finds it from afar.
+  /// has a narrow valley for every frequency; no search finds it from afar: of what swings, every
+  /// strength at the best frequency.
   std::vector<EffectChoice> starts(const std::string& name, std::size_t count) const;
   /// χ² at the best of them; infinite when there is none.
   double best_probe(const std::string& name) const;

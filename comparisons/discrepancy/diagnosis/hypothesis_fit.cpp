@@ -160,6 +160,7 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   const std::vector<double> residuals = model.residuals(values);
   HeldOutGap gap;
   const std::size_t data = model.rows().size();
+  gap.deviation = std::sqrt(2.0 / static_cast<double>(data));
   for (std::size_t i = 0; i < data; ++i)
     gap.reduced_chi_square += residuals[i] * residuals[i] / static_cast<double>(data);
   for (std::size_t i = 0; i < unseen.shots.size(); ++i)

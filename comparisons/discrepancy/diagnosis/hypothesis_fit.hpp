@@ -60,6 +60,7 @@ HypothesisFit fit_further(const Observations& seen, const HypothesisFit& fit,
 /// are found within their priors.
 struct HeldOutGap {
   double reduced_chi_square = 0.0;
+  double deviation = 0.0;                  ///< of it when nothing is missing, √(2/rows)
   std::vector<std::vector<double>> force;  ///< predicted, per shot, at the data's instants
 };
 HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit);

@@ -29,16 +29,15 @@ bool is_secondary(const EffectCard& card, const std::string& unknown) {
                      });
 }
 
-bool leaves_out_null(const EffectCard& card, double size, double low, double high) {
-  const double slack = next_to_null * size_scale(card, size);
-  return !std::isfinite(card.null) || low - slack > card.null || high + slack < card.null;
+bool leaves_out_null(const EffectCard& card, const NumberWithInterval& size) {
+  const double slack = next_to_null * (has_logarithmic_size(card) ? size.value : card.prior_scale);
+  return !std::isfinite(card.null) || size.low - slack > card.null || size.high + slack < card.null;
 }
 
 /// Do the linearised intervals of effect k say enough?
-bool is_well_determined(const HypothesisFit& fit, std::size_t k) {
+bool is_well_determined(const HypothesisFit& fit, std::size_t k, const NumberWithInterval& size) {
   const auto& unknowns = fit.model->unknowns_of_effect(k);
-  const Estimate& size = fit.search.estimates[unknowns[0]];
-  return leaves_out_null(find_effect(fit.effects[k].name).card, size.value, size.low, size.high) &&
+  return leaves_out_null(find_effect(fit.effects[k].name).card, size) &&
          std::all_of(unknowns.begin(), unknowns.end(), [&](std::size_t unknown) {
            return fit.search.estimates[unknown].identifiability !=
                   Identifiability::not_identifiable;
@@ -67,21 +66,26 @@ std::string number_at_bound(const HypothesisFit& fit, std::size_t k) {
 
 /// Size of effect k with the interval that the data give it, and whether that carries a name.
 void measure_size(const HypothesisFit& fit, std::size_t k, NamedEffect& result) {
-  result.size = with_interval(fit, fit.model->unknowns_of_effect(k)[0], fit.effects[k].name, false);
-  if (find_effect(fit.effects[k].name).card.is_free_form) return;  // its curve has a band
+  const EffectCard& card = find_effect(fit.effects[k].name).card;
+  const bool logarithmic = has_logarithmic_size(card);
+  result.size = with_interval(fit, fit.model->unknowns_of_effect(k)[0], card.name, logarithmic);
+  if (card.is_free_form) return;  // its curve has a band
   result.weak = number_at_bound(fit, k);
-  if (is_well_determined(fit, k)) return;
+  if (is_well_determined(fit, k, result.size)) return;
   const ProfileInterval profile = profile_of_size(fit, k);
-  result.size.low = profile.low;
-  result.size.high = profile.high;
-  if (!result.weak.empty()) return;
-  const double size = result.size.value;
+  result.size.low = logarithmic ? std::exp(profile.low) : profile.low;
+  result.size.high = logarithmic ? std::exp(profile.high) : profile.high;
+  // What rings on is known by its frequency: a load cell reads the same ringing however heavy the
+  // plate is, so that compliance may be unbounded below where the plate is certain.
+  const bool known_by_frequency = card.oscillator && card.oscillator->rings_on;
+  if (!result.weak.empty() || known_by_frequency) return;
+  const auto& [name, size, low, high] = result.size;
   if (!profile.low_closed || !profile.high_closed)
     result.weak = fmt::format("the data do not bound its size of {:.3g} within [{:.3g}, {:.3g}]",
-                              size, profile.low, profile.high);
-  else if (!leaves_out_null(find_effect(fit.effects[k].name).card, size, profile.low, profile.high))
+                              size, low, high);
+  else if (!leaves_out_null(card, result.size))
     result.weak = fmt::format("the size {:.3g} [{:.3g}, {:.3g}] may as well be that of no effect",
-                              size, profile.low, profile.high);
+                              size, low, high);
 }
 
 }  // namespace

@@ -145,17 +145,6 @@ void locate(Diagnosis& d) {
   });
 }
 
-/// Rows by which the unseen speed was judged.
-double unseen_rows(const Diagnosis& d) {
-  double rows = 0.0;
-  for (const MeasuredImpact& shot : d.unseen->shots) {
-    rows += static_cast<double>(shot.trace.time.size());
-    for (const ScalarQuantity& scalar : scalar_quantities)
-      rows += (shot.*scalar.measured).has_error() ? 1.0 : 0.0;
-  }
-  return rows;
-}
-
 void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   d.verdict = weaker;
   d.withheld = why;
@@ -194,7 +183,7 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
     constexpr double plain = 0.5, noise_deviations = 6.0;
     const double over = *d.gap.held_out_before - 1.0;
-    if (over > std::max(plain, noise_deviations * std::sqrt(2.0 / unseen_rows(d))))
+    if (over > std::max(plain, noise_deviations * d.gap.held_out_noise))
       withhold(
           d, DiagnosisVerdict::unexplained,
           fmt::format("the believed model agrees with what was fitted, but at the unseen speed "
@@ -208,7 +197,7 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
   if (!names || !d.gap.held_out_before || !d.gap.held_out_after) return;
   if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
   constexpr double deviations = 3.0, worth_having = 0.5;
-  const double noise = deviations * std::sqrt(2.0 / unseen_rows(d));
+  const double noise = deviations * d.gap.held_out_noise;
   const double excess = *d.gap.held_out_before - 1.0;
   if (excess <= noise) {
     if (d.verdict == DiagnosisVerdict::missing)

@@ -54,6 +54,7 @@ void describe_verdict(const Diagnosis& d, TrialOutcome& outcome) {
   outcome.candidates = d.candidates;
   outcome.held_out_before = d.gap.held_out_before;
   outcome.held_out_after = d.gap.held_out_after;
+  outcome.held_out_noise = d.gap.held_out_noise;
   outcome.warnings = d.warnings;
   if (d.effects.size() != 1 || d.candidates.size() != 1) return;
   const NamedEffect& effect = d.effects.front();
@@ -101,6 +102,7 @@ Json to_json(const TrialOutcome& outcome) {
       {"named", outcome.named},
       {"size", {outcome.size, outcome.size_low, outcome.size_high}},
       {"held_out", {value_or_null(outcome.held_out_before), value_or_null(outcome.held_out_after)}},
+      {"held_out_noise", outcome.held_out_noise},
       {"warnings", outcome.warnings},
       {"seconds", outcome.seconds}};
 }
@@ -119,6 +121,7 @@ TrialOutcome trial_outcome_from(const std::string& text, const std::string& file
     outcome.size_high = json.at("size").at(2);
     outcome.held_out_before = optional_number(json.at("held_out").at(0));
     outcome.held_out_after = optional_number(json.at("held_out").at(1));
+    outcome.held_out_noise = json.at("held_out_noise");
     outcome.warnings = json.at("warnings").get<std::vector<std::string>>();
     outcome.seconds = json.at("seconds");
     return outcome;

@@ -20,6 +20,7 @@ struct TrialOutcome {
   std::string named;  ///< the one effect of verdict "missing"; empty: none, or more than one
   double size = 0.0, size_low = 0.0, size_high = 0.0;
   std::optional<double> held_out_before, held_out_after;  ///< reduced whitened χ²
+  double held_out_noise = 0.0;                            ///< deviation of it by noise alone
   std::vector<std::string> warnings;
   double seconds = 0.0;
 };

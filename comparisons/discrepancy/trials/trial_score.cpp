@@ -107,8 +107,10 @@ void count_pair(const TrialTruth& truth, const TrialOutcome& o, Counts& counts) 
 
 void count_unseen(const TrialOutcome& o, Share& better) {
   if (o.verdict != "missing" && o.verdict != "family" && o.verdict != "one-of") return;
-  if (!o.held_out_before || !o.held_out_after || *o.held_out_before <= 1.0) return;
-  constexpr double gone = 0.8;
+  constexpr double deviations = 3.0, gone = 0.8;
+  if (!o.held_out_before || !o.held_out_after ||
+      *o.held_out_before <= 1.0 + deviations * o.held_out_noise)
+    return;
   const double removed = *o.held_out_before - std::max(1.0, *o.held_out_after);
   count(better, removed >= gone * (*o.held_out_before - 1.0));
 }

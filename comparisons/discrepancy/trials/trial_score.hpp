@@ -52,6 +52,7 @@ struct TrialScores {
 ///   name right     the nearest effect of the list is the one named
 ///   in the set     it stands in a candidate
 ///   wrong name     one effect is named, and it is another
+///   unseen gap     where it is above three deviations of its noise, four fifths of it are gone
 /// Errors: Error(corrupt_store) where trials and truths are not the same.
 TrialScores score_trials(const std::vector<TrialOutcome>& outcomes,
                          const std::vector<TrialTruth>& truths);

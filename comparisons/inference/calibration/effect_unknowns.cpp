@@ -9,18 +9,28 @@ namespace {
 constexpr double next_to_null = 0.01;      // of the prior scale
 constexpr double parameter_reach = 100.0;  // a factor either way of where a parameter starts
 
+CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
+  const double off_null = start > 0.0 ? start : card.prior_scale;
+  return {.name = card.name,
+          .unit = "ln SI",
+          .start = std::log(off_null),
+          .lowest = std::log(next_to_null * off_null),
+          .highest = std::log(card.range.highest),
+          .scale = 1.0};
+}
+
 CalibrationParameter size_of(const EffectCard& card, double start) {
-  const double scale = size_scale(card, start);
+  if (has_logarithmic_size(card)) return logarithm_of_size(card, start);
   // A plate or a branch next to nothing is stiff and cannot be told from
   // nothing: searches keep off a one-sided null.
-  const double least =
-      card.null <= card.range.lowest ? card.null + next_to_null * scale : card.range.lowest;
+  const double least = card.null <= card.range.lowest ? card.null + next_to_null * card.prior_scale
+                                                      : card.range.lowest;
   return {.name = card.name,
           .unit = "SI",
           .start = std::max(start, least),
           .lowest = least,
           .highest = card.range.highest,
-          .scale = scale};
+          .scale = card.prior_scale};
 }
 
 double start_of(const EffectParameterCard& parameter, const EffectChoice& choice) {
@@ -81,9 +91,12 @@ std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) 
   for (std::size_t k = 0; k < effects.size(); ++k) {
     const auto& own = places_[k];
     if (own.empty()) continue;
-    effects[k].size = values[own[0]];
+    const EffectCard& card = find_effect(effects[k].name).card;
+    effects[k].size = has_logarithmic_size(card) ? std::clamp(std::exp(values[own[0]]),
+                                                              card.range.lowest, card.range.highest)
+                                                 : values[own[0]];
     std::size_t next = 1;
-    for (const auto& parameter : find_effect(effects[k].name).card.parameters)
+    for (const auto& parameter : card.parameters)
       if (parameter.fitted) {
         const double value = values[own[next++]];
         effects[k].parameters[parameter.name] =

@@ -8,7 +8,8 @@
 namespace rebound {
 
 /// Effects as unknowns: the size of each and its further fitted parameters, one value for all
-/// balls: those of any sign as they are, all others by their logarithm. A switch has none; the
+/// balls: sizes and numbers of any sign as they are, all other numbers, and the size of a mass on
+/// a spring, by their logarithm. A switch has none; the
 /// shot that a fault acts on is none.
 class EffectUnknowns {
  public:

@@ -157,10 +157,9 @@ std::string size_unit(const EffectCard& card);
 /// The list of effects.inc, in the order of effects that a report shows.
 const std::vector<Effect>& all_effects();
 
-/// The scale of a size near `size`, by which searches step and keep off the null: of what swings
-/// its distance from the null, since plates are stiff by orders of magnitude; otherwise the
-/// prior's.
-double size_scale(const EffectCard& card, double size);
+/// Is the unknown of a fit the logarithm of the size? So for a mass on a spring: plates are stiff
+/// by orders of magnitude, and where only a frequency is known, compliance times mass is.
+bool has_logarithmic_size(const EffectCard& card);
 
 /// Names of the list, in its order.
 std::vector<std::string> effect_names();

@@ -85,8 +85,9 @@ const std::vector<Effect>& all_effects() {
   return list;
 }
 
-double size_scale(const EffectCard& card, double size) {
-  return card.oscillator && size > card.null ? size - card.null : card.prior_scale;
+bool has_logarithmic_size(const EffectCard& card) {
+  return card.oscillator ||
+         (!card.contains.empty() && has_logarithmic_size(find_effect(card.contains).card));
 }
 
 std::vector<std::string> effect_names() {

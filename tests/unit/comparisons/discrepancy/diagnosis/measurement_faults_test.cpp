@@ -84,6 +84,20 @@ TEST(MeasurementFaultTest, TheShotIsNamed) {
       }
 }
 
+// Among repeats: with one shot a speed it is as well a stiffness that follows the speed.
+TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
+  const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 4.0}, {"time_exponent", -1.0}}};
+  for (int seed = 1; seed <= seeds; ++seed) {
+    SynthesisFile file = experiment_with({hidden}, seed);
+    const auto once = file.shots;
+    for (int repeat = 0; repeat < 2; ++repeat)
+      file.shots.insert(file.shots.end(), once.begin(), once.end());
+    const Diagnosis d = diagnose_hidden(file);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+    EXPECT_TRUE(names(d, hidden.name)) << d.fault;
+  }
+}
+
 TEST(MeasurementFaultTest, AStatedBandwidthIsNoFault) {
   int gaps = 0;
   for (int seed = 1; seed <= seeds; ++seed) {

@@ -21,6 +21,13 @@ TEST(EffectUnknownsTest, ALinearParameterIsItself) {
   EXPECT_EQ(moved.parameters.at("phase"), -2.5);
 }
 
+TEST(EffectUnknownsTest, TheSizeOfAPlateIsALogarithm) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns plate({{"plate-compliance", 2e-8, {{"mass", 5.0}}}}, unknowns);
+  EXPECT_DOUBLE_EQ(unknowns[0].start, std::log(2e-8));
+  EXPECT_NEAR(plate.at({std::log(3e-8), 0.0, -3.0})[0].size, 3e-8, 1e-20);
+}
+
 TEST(EffectUnknownsTest, AShotIsNoUnknown) {
   std::vector<CalibrationParameter> unknowns;
   const EffectUnknowns gain({{"shot-gain", 0.1, {{"shot", 2.0}}}}, unknowns);
