@@ -80,6 +80,7 @@ void predict_further(double reflection, PredictionErrors& errors) {
 std::vector<double> autocorrelation_of(const std::vector<std::vector<double>>& centred,
                                        std::size_t lags) {
   std::vector<PredictionErrors> errors;
+  errors.reserve(centred.size());
   for (const std::vector<double>& one : centred) errors.push_back({one, one});
   std::vector<double> found, coefficients;
   double left = 1.0;
