@@ -47,19 +47,6 @@ FirstTouch first_touch_at(const Observations& seen, const HypothesisFit& fit,
                         fit.model->impact(fit.values, shot).scalars.contact_time);
 }
 
-/// Samples next to the turning point: whether they still load, the speed's own error decides, and
-/// a force that jumps there would decide it the other way. They are taken as not read.
-std::vector<std::size_t> samples_at_turning(const ForceSamples& samples, double speed_error) {
-  std::vector<std::size_t> near;
-  for (std::size_t i = 1; i < samples.velocity.size(); ++i)
-    if (samples.since_touch[i] > 0.0 &&
-        samples.deflection[i] > 0.5 * samples.loop.largest_deflection &&
-        std::abs(samples.velocity[i]) <
-            speed_error + std::abs(samples.velocity[i] - samples.velocity[i - 1]))
-      near.push_back(i);
-  return near;
-}
-
 }  // namespace
 
 std::vector<double> values_by_themselves(const Observations& seen, const HypothesisFit& fit) {

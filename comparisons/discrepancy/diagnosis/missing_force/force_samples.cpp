@@ -168,6 +168,17 @@ ForceSamples force_samples(const Observations& seen, const HypothesisFit& fit,
   return samples;
 }
 
+std::vector<std::size_t> samples_at_turning(const ForceSamples& samples, double speed_error) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 1; i < samples.velocity.size(); ++i)
+    if (samples.since_touch[i] > 0.0 &&
+        samples.deflection[i] > 0.5 * samples.loop.largest_deflection &&
+        std::abs(samples.velocity[i]) <
+            speed_error + std::abs(samples.velocity[i] - samples.velocity[i - 1]))
+      near.push_back(i);
+  return near;
+}
+
 void respond(const ForceSamples& samples, Eigen::Ref<Eigen::MatrixXd> columns) {
   const Eigen::Index width = columns.cols();
   Eigen::RowVectorXd moved = Eigen::RowVectorXd::Zero(width);

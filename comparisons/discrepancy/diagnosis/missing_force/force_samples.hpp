@@ -62,6 +62,10 @@ struct ForceSamples {
 ForceSamples force_samples(const Observations& seen, const HypothesisFit& fit,
                            const std::vector<double>& values, std::size_t shot);
 
+/// Samples next to the turning point: whether they still load, the speed's own error decides, and
+/// a force that jumps there would decide it the other way. They are taken as not read.
+std::vector<std::size_t> samples_at_turning(const ForceSamples& samples, double speed_error);
+
 /// What a force on the ball does to its reading, to first order, column by column.
 ///
 ///   z = g + F_x δx + F_v δv,   m δv̇ = −z,   δẋ = δv

@@ -7,6 +7,7 @@
 #include "comparisons/discrepancy/diagnosis/missing_force/force_rows.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/force_words.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/unseen_speed.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -119,10 +120,14 @@ Search search(const Observations& seen, const HypothesisFit& fit, std::vector<do
     const std::vector<double> to =
         best.rows.values_with(best.equations, best.surface.posterior().mean);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = from[i] + share * (to[i] - from[i]);
-    Search next = search_at(seen, fit, values, ball, best.surface.prior());
-    const double gained = evidence_of(next) - evidence_of(best);
+    std::optional<Search> next;
+    try {
+      next = search_at(seen, fit, values, ball, best.surface.prior());
+    } catch (const Error&) {  // too far: no contact is left in a record, or no number of the law
+    }
+    const double gained = next ? evidence_of(*next) - evidence_of(best) : -2.0 * settled;
     if (gained > 0.0) {
-      best = std::move(next);
+      best = *std::move(next);
       share = std::min(1.0, 2.0 * share);
       if (gained < settled && share == 1.0) break;
     } else {
@@ -150,9 +155,15 @@ MissingForce find_missing_force(const Observations& seen, const HypothesisFit& f
   if (!missing.found()) return missing;
 
   Search found = search(seen, fit, fit.values, *ball);
-  if (Search other = search(seen, fit, values_by_themselves(seen, fit), *ball);
-      evidence_of(other) > evidence_of(found))
-    found = std::move(other);
+  try {
+    Search other = search(seen, fit, values_by_themselves(seen, fit), *ball);
+    if (evidence_of(other) > evidence_of(found)) found = std::move(other);
+  } catch (const Error&) {  // these starts leave no contact in a record: the fit's stand
+  }
+  if (!std::isfinite(evidence_of(found))) {
+    missing.not_found_because = "the law has no force along the measured motion";
+    return missing;
+  }
   missing.values = found.rows.values();
   const auto& [rows, equations, surface] = found;
   const std::size_t speeds = rows.speeds().size();
