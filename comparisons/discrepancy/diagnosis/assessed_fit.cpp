@@ -19,12 +19,12 @@ double p_value_of(const HypothesisFit& fit, double noise_freedom) {
 
 }  // namespace
 
-std::vector<std::string> absent_from(const HypothesisFit& fit,
+std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      const std::vector<std::string>& effects) {
   std::vector<std::string> others;
   std::copy_if(effects.begin(), effects.end(), std::back_inserter(others),
                [&](const std::string& name) {
-                 return std::none_of(fit.effects.begin(), fit.effects.end(),
+                 return std::none_of(present.begin(), present.end(),
                                      [&](const EffectChoice& one) { return one.name == name; });
                });
   return others;
@@ -54,14 +54,14 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
                            const std::vector<std::string>& effects, const SelectionRules& rules,
                            std::uint64_t seed) {
   AssessedFit believed = judge_by_chi_square(seen, std::move(fit), rules);
-  const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit, effects));
+  const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit.effects, effects));
   look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
   return believed;
 }
 
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
                      const SelectionRules& rules, std::uint64_t seed, AssessedFit& candidate) {
-  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit, effects),
+  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
   look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
 }

@@ -37,8 +37,8 @@ struct AssessedFit {
   bool adequate = false;  ///< nothing left that noise could not do
 };
 
-/// Those of `effects` that a fit does not have.
-std::vector<std::string> absent_from(const HypothesisFit& fit,
+/// Those of `effects` that are not present.
+std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      const std::vector<std::string>& effects);
 
 /// A fit by its χ² alone: judged where that refuses it, and open otherwise.

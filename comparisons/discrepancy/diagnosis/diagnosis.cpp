@@ -19,15 +19,10 @@ namespace {
 /// What may be missing: everything in the list that the model does not have.
 std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
   std::vector<std::string> names;
-  for (const Effect& effect : all_effects()) {
-    const bool known = std::any_of(present.begin(), present.end(), [&](const EffectChoice& e) {
-      return e.name == effect.card.name;
-    });
-    const bool named = !effect.card.is_free_form;
-    if (!known && named && (effect.to_lumped || effect.to_measurement))
+  for (const Effect& effect : all_effects())
+    if (!effect.card.is_free_form && (effect.to_lumped || effect.to_measurement))
       names.push_back(effect.card.name);
-  }
-  return names;
+  return absent_from(present, names);
 }
 
 /// What the data lack for any verdict; empty when they are enough.
@@ -132,6 +127,20 @@ void predict_held_out(Diagnosis& d) {
   d.gap.held_out_after = d.unseen_after->reduced_chi_square;
 }
 
+/// What is missing is shown as a force, whatever it is called; a fault of the measurement is none.
+void show_missing_force(Diagnosis& d) {
+  const bool missing =
+      d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of ||
+      d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::unexplained;
+  if (!missing) return;
+  try {
+    d.missing_force = find_missing_force(*d.seen, d.selection.baseline.fit,
+                                         d.held_out_speed ? d.unseen.get() : nullptr);
+  } catch (const Error& error) {  // a verdict stands without it
+    d.missing_force = MissingForce{.not_found_because = error.what()};
+  }
+}
+
 }  // namespace
 
 Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
@@ -170,6 +179,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
     withhold_what_repetition_denies(d, request.rules);
   }
+  show_missing_force(d);
   return d;
 }
 

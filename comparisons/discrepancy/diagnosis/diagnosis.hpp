@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
+#include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
@@ -83,6 +84,9 @@ struct Diagnosis {
   /// FE minus lumped, where the data were explained with it only.
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
   std::optional<HeldOutGap> unseen_before, unseen_after;
+  /// What the model that the search started from lacks, without a formula; absent where nothing
+  /// is missing from it.
+  std::optional<MissingForce> missing_force;
 
   /// Has the search, or the repair of a formula, added to the believed model?
   bool extended() const { return best().effects.size() > believed_effects; }
@@ -107,6 +111,7 @@ struct Diagnosis {
 ///     model taken into account (measure_model_discrepancy)
 ///   6 prediction of the speed that was left out, before and after
 ///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection)
+///   8 where something is missing from the physics: the missing force, without a formula
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the
 ///         data; Error(interrupted).

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -63,6 +66,27 @@ Json form_of(const Diagnosis& d) {
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
 }
 
+Json missing_force_json(const Diagnosis& d) {
+  if (!d.missing_force) return nullptr;
+  const MissingForce& missing = *d.missing_force;
+  Json curves = Json::array();
+  for (const MissingForceCurve& curve : missing.curves)
+    curves.push_back({{"speed_m_s", curve.speed},
+                      {"deflection_m", curve.deflection},
+                      {"velocity_m_s", curve.velocity},
+                      {"force_N", curve.force},
+                      {"low_N", curve.low},
+                      {"high_N", curve.high}});
+  return {
+      {"ball", missing.ball},
+      {"not_found_because", missing.found() ? Json(nullptr) : Json(missing.not_found_because)},
+      {"curves", curves},
+      {"in_words", missing.in_words},
+      {"reduced_chi_square", missing.found() ? Json(missing.reduced_chi_square) : Json(nullptr)},
+      {"held_out_without", number_or_null(missing.unseen_before)},
+      {"held_out_with", number_or_null(missing.unseen_after)}};
+}
+
 std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
@@ -108,6 +132,7 @@ Json to_json(const Diagnosis& d) {
           {"curve", curves.empty() ? Json(nullptr) : curves.front()},
           {"curves", curves},
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
+          {"missing_force", missing_force_json(d)},
           {"effects", effects},
           {"candidates", d.candidates},
           {"bootstrap", bootstrap_json(d.bootstrap)},
@@ -175,6 +200,24 @@ std::string headline(const Diagnosis& d) {
   return {};
 }
 
+std::string missing_force_sentence(const Diagnosis& d) {
+  if (!d.missing_force) return {};
+  const MissingForce& missing = *d.missing_force;
+  if (!missing.found())
+    return "The missing force was not found: " + missing.not_found_because + ".";
+  double largest = 0.0;
+  for (const MissingForceCurve& curve : missing.curves)
+    for (const double force : curve.force) largest = std::max(largest, std::abs(force));
+  std::string words;
+  for (const std::string& one : missing.in_words) words += (words.empty() ? "" : "; ") + one;
+  std::string text =
+      fmt::format("The missing force, up to {:.3g} N without a formula: {}.", largest, words);
+  if (missing.unseen_after)
+    text += fmt::format(" With it the gap at the unseen speed goes from {:.3g} to {:.3g}.",
+                        *missing.unseen_before, *missing.unseen_after);
+  return text;
+}
+
 std::string to_text(const Diagnosis& d) {
   std::string text = "VERDICT   " + headline(d) + "\n";
   if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
@@ -200,6 +243,7 @@ std::string to_text(const Diagnosis& d) {
                         d.seen->shots[cell.shot].impact.speed, name_of(cell.phase),
                         name_of(cell.what), cell.z);
   }
+  if (d.missing_force) text += fmt::format("force     {}\n", missing_force_sentence(d));
   if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);
   for (const auto& needed : d.needed) text += fmt::format("needed    {}\n", needed);
   for (const auto& e : d.next)

@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
+#include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 
 namespace rebound {
@@ -167,6 +168,11 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
   if (d.gap.before) {
     for (const FactorBand& band : d.curves)
       if (band.x.size() > 1) section.blocks.push_back(curve_figure(band));
+    if (d.missing_force) {
+      section.blocks.push_back(report::Paragraph{missing_force_sentence(d)});
+      for (report::Figure& figure : missing_force_figures(*d.missing_force))
+        section.blocks.push_back(std::move(figure));
+    }
     section.blocks.push_back(map_matrix(d));
     add_pictures(d, section);
     if (!d.selection.tried.empty()) section.blocks.push_back(candidate_table(d));

@@ -131,7 +131,7 @@ std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count)
     ++taken;
     const EffectNames own = names_of(smaller.effects);
     // Where to start, the fine grid around the baseline tells; here is but an order.
-    const EffectSensitivities near(seen_, smaller, absent_from(smaller, effects_),
+    const EffectSensitivities near(seen_, smaller, absent_from(smaller.effects, effects_),
                                    GridDetail::coarse);
     for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
       if (!may_join(name, smaller)) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
 
 namespace rebound {
@@ -82,13 +83,9 @@ void keep_shape(FactorBand& band, const std::vector<std::size_t>& unknowns,
 
 std::vector<std::string> free_forms(const std::vector<EffectChoice>& present) {
   std::vector<std::string> names;
-  for (const Effect& effect : all_effects()) {
-    const bool known = std::any_of(present.begin(), present.end(), [&](const EffectChoice& one) {
-      return one.name == effect.card.name;
-    });
-    if (effect.card.is_free_form && !known) names.push_back(effect.card.name);
-  }
-  return names;
+  for (const Effect& effect : all_effects())
+    if (effect.card.is_free_form) names.push_back(effect.card.name);
+  return absent_from(present, names);
 }
 
 std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Observations& seen,

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
@@ -74,6 +75,15 @@ class JointModel {
     return effects_.places(k);
   }
 
+  /// Unknowns of the law of one ball.
+  const std::vector<std::size_t>& unknowns_of_law(std::size_t ball) const {
+    return law_.places(ball);
+  }
+  /// What may be wrong with the measurement of one shot, its start included.
+  std::span<const NuisancePlace> nuisances_of(std::size_t shot) const {
+    return nuisances_.places(shot);
+  }
+
   std::vector<EffectChoice> effects_at(const std::vector<double>& values) const {
     return effects_.at(values);
   }
@@ -81,6 +91,8 @@ class JointModel {
   LumpedModel believed_at(const std::vector<double>& values, std::size_t ball) const {
     return law_.at(values, ball);
   }
+  /// How a shot was measured, as these values say.
+  MeasurementChain chain_at(const std::vector<double>& values, std::size_t shot) const;
   /// The impact of a shot as these values say it was.
   LumpedProblem problem_at(const std::vector<double>& values, std::size_t shot) const;
   /// The reported force of a shot at given instants of its clock.
@@ -122,7 +134,6 @@ class JointModel {
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();
-  MeasurementChain chain_at(const std::vector<double>& values, std::size_t shot) const;
   double scalar_at(const std::vector<double>& values, std::size_t shot,
                    const ScalarQuantity& scalar) const;
 

@@ -24,10 +24,11 @@ std::vector<std::string> added_effects(const Diagnosis& d, const HypothesisFit& 
 /// What each fit of the search explains by itself, over what the best does.
 std::vector<ExplainedShare> explained_shares(const Diagnosis& d, const HypothesisFit& best) {
   const double before = d.selection.baseline.fit.chi_square;
+  const double explained = before - best.chi_square;
+  if (!(explained > 0.0)) return {};  // the baseline itself fits best
   std::vector<ExplainedShare> shares;
   for (const AssessedFit& one : d.selection.tried)
-    shares.push_back(
-        {added_effects(d, one.fit), (before - one.fit.chi_square) / (before - best.chi_square)});
+    shares.push_back({added_effects(d, one.fit), (before - one.fit.chi_square) / explained});
   return shares;
 }
 
