@@ -33,10 +33,14 @@ TrialEffect effect_of(const Json& json) {
 }
 
 TrialTruth truth_of(const Json& json) {
-  TrialTruth truth{.trial = json.at("trial"),
+  TrialTruth truth{.set = json.at("set"),
+                   .seed = json.at("seed"),
+                   .trial = json.at("trial"),
+                   .effects = {},
                    .visible_chi_square = json.at("visible_chi_square"),
                    .noise_colour = json.at("noise").at("colour"),
-                   .noise_stated = json.at("noise").at("stated")};
+                   .noise_stated = json.at("noise").at("stated"),
+                   .noise_share = json.at("noise").at("share_of_smallest_baseline_peak")};
   for (const Json& effect : json.at("effects")) truth.effects.push_back(effect_of(effect));
   return truth;
 }
