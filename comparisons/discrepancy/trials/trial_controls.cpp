@@ -39,7 +39,7 @@ TrialAnswer not_enough_data() {
 }
 
 bool is_fitted(const Diagnosis& d) {
-  return d.believed.fit.model != nullptr;
+  return !d.believed.fit.values.empty();
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TrialAnswer lowest_information_criterion(const Diagnosis& d) {
 
 TrialAnswer sparse_regression_answer(const Diagnosis& d) {
   if (!is_fitted(d)) return not_enough_data();
-  const EffectFamily family = family_of_terms(regress_residual_force(*d.seen, d.believed.fit));
+  const EffectFamily family = regress_residual_force(*d.seen, d.believed.fit).family;
   if (family == EffectFamily::none) return answer_of_set({}, {});
   return {
       .verdict = name_of(family == EffectFamily::measurement ? DiagnosisVerdict::measurement_fault

@@ -37,10 +37,11 @@ report::Table gate_table(const TrialScores& scores) {
   return table;
 }
 
+/// Without a place where a line may break.
 std::string share_or_dash(const Share& share) {
-  return share.of == 0
-             ? "–"
-             : fmt::format("{:.0f} % ({} of {})", percent * share.value(), share.count, share.of);
+  if (share.of == 0) return "–";
+  return fmt::format("{:.0f}\u00a0% ({}\u00a0of\u00a0{})", percent * share.value(), share.count,
+                     share.of);
 }
 
 report::Table control_table(const TrialScores& scores) {
@@ -95,7 +96,9 @@ report::Matrix confusion_matrix(const ConfusionMatrix& confusion, const std::str
   for (const auto& [name, cells] : confusion) {
     int total = 0;
     for (const auto& [column, count] : cells) total += count;
-    report::MatrixRow row{fmt::format("{} ({})", name, total), {}};
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    report::MatrixRow row{fmt::format("{} ({})", words, total), {}};
     for (const std::string& column : columns) {
       const auto found = cells.find(column);
       const int count = found == cells.end() ? 0 : found->second;

@@ -159,6 +159,9 @@ std::string to_text(const TrialScores& scores) {
       "{} trials, {} of them with an effect that does not show; a diagnosis took {:.2g} s, at most "
       "{:.2g} s\n",
       scores.trials, scores.not_visible, scores.median_seconds, scores.longest_seconds);
+  if (scores.mean_candidates > 0.0)
+    text += fmt::format("sets      {:.2g} in the answer on average, where any is said\n",
+                        scores.mean_candidates);
   for (const auto& [origin, count] : scores.origins)
     text += fmt::format("trials    {}: {}\n", origin, count);
   for (const auto& [digest, protocol] : scores.protocols)
