@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/discrepancy/trials/trial_controls.hpp"
+#include "comparisons/discrepancy/trials/trial_pictures.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 
 namespace rebound {
 namespace {
 
-using report::Origin;
-using report::Series;
 using report::text_cell;
-
-constexpr double percent = 100.0;
 
 report::TableCell met_cell(const TrialGate& gate) {
   using Verdict = report::TableCell::Verdict;
@@ -40,8 +36,7 @@ report::Table gate_table(const TrialScores& scores) {
 /// Without a place where a line may break.
 std::string share_or_dash(const Share& share) {
   if (share.of == 0) return "–";
-  return fmt::format("{:.0f}\u00a0% ({}\u00a0of\u00a0{})", percent * share.value(), share.count,
-                     share.of);
+  return fmt::format("{:.0f}\u00a0% ({}\u00a0of\u00a0{})", share.percent(), share.count, share.of);
 }
 
 report::Table control_table(const TrialScores& scores) {
@@ -68,6 +63,13 @@ report::Table control_table(const TrialScores& scores) {
   return table;
 }
 
+/// The same with the interval, for tables of many columns.
+report::TableCell interval_cell(const Share& share) {
+  if (share.of == 0) return text_cell("–");
+  return text_cell(fmt::format("{}\u00a0of\u00a0{} [{:.0f},\u00a0{:.0f}]\u00a0%", share.count,
+                               share.of, share.percent_low(), share.percent_high()));
+}
+
 report::Table share_table(const std::string& title, const std::string& caption,
                           const std::string& heading, const std::map<std::string, Share>& shares) {
   report::Table table{
@@ -77,100 +79,25 @@ report::Table share_table(const std::string& title, const std::string& caption,
   return table;
 }
 
-report::Matrix confusion_matrix(const ConfusionMatrix& confusion, const std::string& title,
-                                const std::string& row_heading, const std::string& group) {
-  report::Matrix matrix{.title = title,
-                        .caption =
-                            "Colour: share of the trials of a row. Number: how many they are. "
-                            "Effects that do not show are left out.",
-                        .quantity = "share of the row",
-                        .unit = "1",
-                        .row_heading = row_heading,
-                        .hatching = {},
-                        .scale = {report::ColourScale::Kind::sequential, 1.0},
-                        .overlays = {},
-                        .columns = {},
-                        .rows = {}};
-  const auto columns = columns_of(confusion);
-  for (const std::string& column : columns) matrix.columns.push_back({group, column});
-  for (const auto& [name, cells] : confusion) {
-    int total = 0;
-    for (const auto& [column, count] : cells) total += count;
-    std::string words = name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    report::MatrixRow row{fmt::format("{} ({})", words, total), {}};
-    for (const std::string& column : columns) {
-      const auto found = cells.find(column);
-      const int count = found == cells.end() ? 0 : found->second;
-      row.cells.push_back({.value = static_cast<double>(count) / total,
-                           .text = count == 0 ? "–" : fmt::format("{}", count)});
-    }
-    matrix.rows.push_back(std::move(row));
-  }
-  return matrix;
-}
-
-Series rate_series(const std::string& name, const RateTable& table, Share RateRow::*share) {
-  Series series{.name = name,
-                .origin = Origin::derived,
-                .x = {},
-                .y = {},
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
-  for (const RateRow& row : table.rows) {
-    const Share& one = row.*share;
-    if (one.of == 0 || row.high <= 0.0) continue;
-    constexpr double smallest_shown = 10.0;  // a logarithmic axis has no zero
-    series.x.push_back(std::sqrt(std::max(row.low, smallest_shown) * row.high));
-    series.y.push_back(percent * one.value());
-    series.y_low.push_back(percent * std::min(one.low(), one.value()));
-    series.y_high.push_back(percent * std::max(one.high(), one.value()));
-  }
-  return series;
-}
-
-/// Power over the size of the effect, one picture a question: bands would cover each other.
-void add_power(const RateTable& table, report::Section& section) {
-  const std::pair<const char*, Share RateRow::*> questions[] = {
-      {"a gap is said", &RateRow::detected},
-      {"the family is right", &RateRow::family_right},
-      {"the name is right or in the set", &RateRow::name_right}};
-  for (const auto& [words, share] : questions) {
-    report::Figure figure{
-        .title = fmt::format("Power: {}", words),
-        .caption =
-            "Single effects of a family, by how plainly they show. Each point is a bin; "
-            "the band is its 95 % Wilson interval. Left of 25 an effect does not count.",
-        .x = {"visible χ² of the hidden effect", "1", report::Axis::Spacing::logarithmic},
-        .y = {"share of the trials", "%"},
-        .series = {}};
-    Series series = rate_series(words, table, share);
-    if (series.x.empty()) continue;
-    figure.series.push_back(std::move(series));
-    section.blocks.push_back(std::move(figure));
-  }
-}
-
 report::Table rate_table(const RateTable& rates) {
   const bool has_unit = !rates.unit.empty() && rates.unit != "1";
+  const bool has_nulls = std::any_of(rates.rows.begin(), rates.rows.end(),
+                                     [](const RateRow& row) { return row.false_alarm.of > 0; });
   report::Table table{.title = "By " + rates.what,
-                      .caption =
-                          "Single effects of a family; false alarms are those of the nulls. Shares "
-                          "with their 95 % Wilson intervals.",
+                      .caption = "Single effects of a family, with 95 % Wilson intervals.",
                       .columns = {{has_unit ? rates.what + " / " + rates.unit : rates.what},
                                   {"gap said"},
                                   {"family right"},
                                   {"name right or in the set"},
-                                  {"wrong name"},
-                                  {"false alarms"}},
+                                  {"wrong name"}},
                       .rows = {}};
-  for (const RateRow& row : rates.rows)
-    table.rows.push_back(
-        {text_cell(row.label), text_cell(share_text(row.detected)),
-         text_cell(share_text(row.family_right)), text_cell(share_text(row.name_right)),
-         text_cell(share_text(row.wrong_name)), text_cell(share_text(row.false_alarm))});
+  if (has_nulls) table.columns.push_back({"false alarms on nulls"});
+  for (const RateRow& row : rates.rows) {
+    table.rows.push_back({text_cell(row.label), interval_cell(row.detected),
+                          interval_cell(row.family_right), interval_cell(row.name_right),
+                          interval_cell(row.wrong_name)});
+    if (has_nulls) table.rows.back().push_back(interval_cell(row.false_alarm));
+  }
   return table;
 }
 
@@ -191,16 +118,25 @@ std::string subtitle_of(const TrialScores& scores) {
                      scores.trials, origins);
 }
 
+std::string headline_of(const TrialScores& scores) {
+  int met = 0, judged = 0, without = 0;
+  for (const TrialGate& gate : scores.gates) {
+    if (!gate.is_asked()) continue;
+    ++(gate.share.of > 0 ? judged : without);
+    if (gate.passes()) ++met;
+  }
+  const std::string text = fmt::format("{} of {} gates are met", met, judged);
+  return without == 0 ? text + "."
+                      : fmt::format("{}; for {} there {} no trial.", text, without,
+                                    without == 1 ? "is" : "are");
+}
+
 }  // namespace
 
 report::Report trial_report(const TrialScores& scores) {
-  const auto met = std::count_if(scores.gates.begin(), scores.gates.end(),
-                                 [](const auto& gate) { return gate.is_asked() && gate.passes(); });
-  const auto asked = std::count_if(scores.gates.begin(), scores.gates.end(),
-                                   [](const auto& gate) { return gate.is_asked(); });
   report::Report page{.title = "Blind trials of the diagnosis",
                       .subtitle = subtitle_of(scores),
-                      .headline = fmt::format("{} of {} gates are met.", met, asked),
+                      .headline = headline_of(scores),
                       .notices = {},
                       .sections = {}};
   if (scores.protocols.size() > 1)
@@ -211,7 +147,10 @@ report::Report trial_report(const TrialScores& scores) {
   page.sections.push_back({.title = "Scores", .blocks = {gate_table(scores)}});
   report::Section power{.title = "Power", .blocks = {}};
   for (const RateTable& rates : scores.rates)
-    if (rates.by == "visible_chi_square") add_power(rates, power);
+    if (rates.by == "visible_chi_square" && !rates.rows.empty()) {
+      for (report::Figure& figure : power_figures(rates)) power.blocks.push_back(std::move(figure));
+      power.blocks.push_back(rate_table(rates));
+    }
   if (!power.blocks.empty()) page.sections.push_back(std::move(power));
   report::Section confusion{.title = "What was hidden, and what was said", .blocks = {}};
   if (!scores.confusion.empty())
@@ -226,7 +165,8 @@ report::Report trial_report(const TrialScores& scores) {
   report::Section details{
       .title = "In detail", .folding = report::Section::Folding::folded, .blocks = {}};
   for (const RateTable& rates : scores.rates)
-    if (!rates.rows.empty()) details.blocks.push_back(rate_table(rates));
+    if (!rates.rows.empty() && rates.by != "visible_chi_square")
+      details.blocks.push_back(rate_table(rates));
   details.blocks.push_back(share_table("False alarms by noise", "Nulls for which a gap was said.",
                                        "noise", scores.false_alarms_by_noise));
   details.blocks.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace rebound {
@@ -21,12 +22,17 @@ struct Share {
   double low() const { return of == 0 ? 0.0 : bound(-1.0); }
   double high() const { return of == 0 ? 1.0 : bound(1.0); }
 
+  double percent() const { return 100.0 * value(); }
+  double percent_low() const { return 100.0 * low(); }
+  double percent_high() const { return 100.0 * high(); }
+
  private:
   double bound(double sign) const {
     constexpr double z = 1.96;
     const double n = of, p = value();
     const double root = std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n));
-    return (p + z * z / (2.0 * n) + sign * z * root) / (1.0 + z * z / n);
+    // Of none and of all the bound is exactly 0 or 1, but for rounding.
+    return std::clamp((p + z * z / (2.0 * n) + sign * z * root) / (1.0 + z * z / n), 0.0, 1.0);
   }
 };
 

@@ -108,8 +108,8 @@ std::string rate_lines(const RateTable& table) {
 
 std::string share_text(const Share& share) {
   if (share.of == 0) return "none";
-  return fmt::format("{} of {} = {:.1f} % [{:.1f}, {:.1f}]", share.count, share.of,
-                     100.0 * share.value(), 100.0 * share.low(), 100.0 * share.high());
+  return fmt::format("{} of {} = {:.1f} % [{:.1f}, {:.1f}]", share.count, share.of, share.percent(),
+                     share.percent_low(), share.percent_high());
 }
 
 std::string asked_text(const TrialGate& gate) {
