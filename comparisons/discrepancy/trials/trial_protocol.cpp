@@ -68,7 +68,7 @@ Json read_protocol(const std::filesystem::path& outcomes, const std::string& dig
   const ErrorLocation location{.file = file.string(),
                                .allowed = "the protocol that the outcomes beside it name"};
   const std::string text = bytes_of(file, ExitCode::corrupt_store);
-  const Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || protocol_digest(json) != digest)
     throw Error(ExitCode::corrupt_store, "is not the protocol of this digest", location);
   return json;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <tuple>
+
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -72,6 +75,18 @@ TEST(TrialTableTest, AChangedTableIsRefusedWithItsLine) {
   EXPECT_EQ(refused("example,7,1,", "example,7,1").location().line, 3);
   EXPECT_EQ(testing::refusal_of([&] { read_trial_table(folder.path() / "none.csv"); }).code(),
             ExitCode::input_output_failed);
+}
+
+// The table that the README quotes: of one protocol, every trial once, and as this version reads
+// it.
+TEST(StoredTrialsTest, CanBeScoredAgain) {
+  const TrialCollection stored = read_trial_table(STORED_TRIALS);
+  std::set<std::tuple<std::string, std::uint64_t, int>> known;
+  for (const TrialRecord& record : stored.records)
+    EXPECT_TRUE(known.emplace(record.truth.set, record.truth.seed, record.truth.trial).second)
+        << "trial " << record.truth.trial;
+  EXPECT_EQ(stored.protocols.size(), 1u);
+  EXPECT_EQ(score_trials(stored).trials, static_cast<int>(stored.records.size()));
 }
 
 }  // namespace
