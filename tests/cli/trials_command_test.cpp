@@ -77,6 +77,7 @@ TEST_F(TrialsCommandTest, AnInterruptedRunGoesOnWhereItWas) {
   ASSERT_EQ(made.exit_code, 0) << made.errors;
   const Outcome stopped = rebound({"trials", "slow"}, {.interrupt_after_ms = 2000});
   EXPECT_EQ(stopped.exit_code, 130) << stopped.errors;
+  EXPECT_NE(stopped.errors.find("goes on"), std::string::npos) << stopped.errors;
   EXPECT_FALSE(there("slow/outcomes/trials.json"));
   std::vector<std::filesystem::path> kept;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "slow/outcomes"))

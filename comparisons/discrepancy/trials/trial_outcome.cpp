@@ -1,5 +1,7 @@
 #include "comparisons/discrepancy/trials/trial_outcome.hpp"
 
+#include <limits>
+
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -13,6 +15,11 @@ std::optional<double> optional_number(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
+/// JSON has no number that is not finite: an interval without an end is written as null.
+double number_or_nan(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 TrialOutcome outcome_of(const Json& json) {
   TrialOutcome outcome{.trial = json.at("trial"),
                        .said = trial_answer_from(json),
@@ -23,9 +30,9 @@ TrialOutcome outcome_of(const Json& json) {
                        .seconds = json.at("seconds"),
                        .controls = {},
                        .protocol = json.at("protocol")};
-  outcome.size = json.at("size").at(0);
-  outcome.size_low = json.at("size").at(1);
-  outcome.size_high = json.at("size").at(2);
+  outcome.size = number_or_nan(json.at("size").at(0));
+  outcome.size_low = number_or_nan(json.at("size").at(1));
+  outcome.size_high = number_or_nan(json.at("size").at(2));
   outcome.held_out_before = optional_number(json.at("held_out").at(0));
   outcome.held_out_after = optional_number(json.at("held_out").at(1));
   outcome.held_out_noise = json.at("held_out_noise");

@@ -91,6 +91,11 @@ void describe_verdict(const Diagnosis& d, TrialOutcome& outcome) {
   outcome.size_high = effect.size.high;
 }
 
+Error interruption() {
+  return {ExitCode::interrupted,
+          "interrupted; outcomes so far are kept, the same command goes on with the rest"};
+}
+
 TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protocol,
                             const RunControl& control) {
   using Clock = std::chrono::steady_clock;
@@ -108,7 +113,7 @@ TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protoc
     outcome.controls =
         answers_of_controls(diagnosis, protocol.seed, text_of(place.data() / "dataset.toml"));
   } catch (const Error& error) {
-    if (error.code() == ExitCode::interrupted) throw;
+    if (error.code() == ExitCode::interrupted) throw interruption();
     outcome.failure = error.what();
     const TrialAnswer failed{.verdict = "failed", .family = {}, .candidates = {}, .named = {}};
     if (outcome.said.verdict.empty()) {  // else it was a control that failed
@@ -169,9 +174,7 @@ TrialProgress run_trials(const TrialRun& run, const RunControl& control) {
   }
   std::atomic<std::size_t> diagnosed = 0;
   in_parallel(pending.size(), [&](std::size_t i) {
-    if (control.interrupted && control.interrupted())
-      throw Error(ExitCode::interrupted,
-                  "interrupted; outcomes so far are kept, the same command goes on with the rest");
+    if (control.interrupted && control.interrupted()) throw interruption();
     write_file_atomically(pending[i].outcome(),
                           dump(to_json(diagnose_trial(pending[i], protocol, control))));
     ++diagnosed;

@@ -139,6 +139,7 @@ Json to_json(const TrialScores& scores) {
     protocols.push_back(std::move(one));
   }
   return {{"schema", 1},
+          {"complete", true},
           {"trials", scores.trials},
           {"origins", scores.origins},
           {"not_visible", scores.not_visible},

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "comparisons/discrepancy/trials/trial_report.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
@@ -157,6 +159,8 @@ TEST(TrialOutcomeTest, ReadsWhatItWrites) {
   const TrialOutcome again = trial_outcome_from(dump(to_json(outcome)), "7.json");
   EXPECT_EQ(dump(to_json(again)), dump(to_json(outcome)));
   EXPECT_EQ(again.controls.at("random"), outcome.controls.at("random"));
+  outcome.size_high = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(std::isfinite(trial_outcome_from(dump(to_json(outcome)), "7.json").size_high));
   EXPECT_EQ(testing::refusal_of([] { trial_outcome_from("{}", "7.json"); }).code(),
             ExitCode::corrupt_store);
 }
