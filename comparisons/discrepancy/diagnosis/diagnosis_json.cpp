@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -49,6 +50,14 @@ Json excluded_json(const ExcludedSize& excluded) {
           {"over", over}};
 }
 
+Json bootstrap_json(const SelectionBootstrap& bootstrap) {
+  if (bootstrap.draws == 0) return nullptr;
+  Json chosen = Json::array();
+  for (const SelectionFrequency& one : bootstrap.chosen)
+    chosen.push_back({{"effects", one.effects}, {"share", one.share}});
+  return {{"draws", bootstrap.draws}, {"chosen", chosen}};
+}
+
 Json form_of(const Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::missing) return "named";
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
@@ -75,6 +84,18 @@ Json to_json(const Diagnosis& d) {
   for (const auto& e : d.excluded) excluded.push_back(excluded_json(e));
   for (const auto& e : d.next)
     next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
+  Json shots = Json::array();
+  const auto add_shots = [&](const Observations& seen, const std::vector<ShotGap>& gaps,
+                             bool fitted) {
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      shots.push_back({{"shot", seen.shots[i].number},
+                       {"label", seen.shots[i].label},
+                       {"speed_m_s", seen.shots[i].impact.speed},
+                       {"fitted", fitted},
+                       {"reduced_chi_square", gaps[i].reduced_chi_square}});
+  };
+  if (d.gap.before) add_shots(*d.seen, gaps_of_shots(d.believed.fit), true);
+  if (d.unseen_before) add_shots(*d.unseen, d.unseen_before->of_shots, false);
   for (const auto& cell : d.where)
     where.push_back({{"speed_m_s", d.seen->shots[cell.shot].impact.speed},
                      {"phase", name_of(cell.phase)},
@@ -89,6 +110,7 @@ Json to_json(const Diagnosis& d) {
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
           {"effects", effects},
           {"candidates", d.candidates},
+          {"bootstrap", bootstrap_json(d.bootstrap)},
           {"excluded_above", excluded},
           {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
           {"needed", d.needed},
@@ -101,6 +123,7 @@ Json to_json(const Diagnosis& d) {
             {"held_out_before", number_or_null(d.gap.held_out_before)},
             {"held_out_after", number_or_null(d.gap.held_out_after)},
             {"held_out_noise", d.gap.held_out_noise}}},
+          {"gap_of_shots", shots},
           {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
           {"noise_from", d.seen ? d.seen->noise_from : ""},
           {"extended_model", nullptr},
@@ -161,6 +184,16 @@ std::string to_text(const Diagnosis& d) {
   if (d.held_out_speed)
     text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
                         text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  if (d.bootstrap.draws > 0) {
+    text +=
+        fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);
+    for (const SelectionFrequency& one : d.bootstrap.chosen)
+      text += fmt::format(
+          "{} {} {:.0f} %", &one == d.bootstrap.chosen.data() ? "" : ",",
+          one.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(one.effects, " + ")),
+          100.0 * one.share);
+    text += "\n";
+  }
   for (const auto& cell : d.where) {
     if (&cell - d.where.data() >= 5) break;
     text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n",

@@ -131,6 +131,8 @@ void append_truth(std::vector<TableField>& fields) {
       "hidden_size", [](const TrialEffect& e) { return text_of_number(e.registry_size); },
       [](const std::string& text, TrialEffect& e) { e.registry_size = optional_number(text); }));
   fields.push_back(field("visible_chi_square", truth, &TrialTruth::visible_chi_square));
+  fields.push_back(field("nearest_family_cosine", truth, &TrialTruth::nearest_family));
+  fields.push_back(field("nearest_name_cosine", truth, &TrialTruth::nearest_name));
   fields.push_back(field("noise_colour", truth, &TrialTruth::noise_colour));
   fields.push_back(field("noise_stated", truth, &TrialTruth::noise_stated));
   fields.push_back(field("noise_share", truth, &TrialTruth::noise_share));

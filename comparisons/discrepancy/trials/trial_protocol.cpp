@@ -25,11 +25,13 @@ std::string bytes_of(const std::filesystem::path& file, ExitCode failure) {
 
 Json rules_json(const SelectionRules& rules) {
   // By all members at once: a threshold that is added there does not compile here without its name.
-  const auto& [gap_level, candidate_level, close, adequate_p, singles, faults, pairs, most] = rules;
+  const auto& [gap_level, candidate_level, close, adequate_p, singles, faults, pairs, most, draws,
+               inclusion] = rules;
   return {{"false_gap_level", gap_level}, {"candidate_level", candidate_level},
           {"close_criterion", close},     {"smallest_adequate_p", adequate_p},
           {"fitted_singles", singles},    {"fitted_faults", faults},
-          {"fitted_pairs", pairs},        {"most_effects", most}};
+          {"fitted_pairs", pairs},        {"most_effects", most},
+          {"bootstrap_draws", draws},     {"least_inclusion", inclusion}};
 }
 
 std::filesystem::path file_of(const std::filesystem::path& outcomes, const std::string& digest) {

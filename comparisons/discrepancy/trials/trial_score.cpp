@@ -13,6 +13,7 @@ namespace {
 struct Counts {
   Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
       wrong_family, abstained, name_right, wrong_name;
+  Share separable_family_right, separable_name_right;
   Share out_of_family_said, out_of_family_named, unseen_better, coverage, pairs_both,
       pairs_not_false;
 };
@@ -26,6 +27,21 @@ void count_null(const TrialTruth& truth, const TrialAnswer& said, Counts& counts
 void count_outside(const TrialAnswer& said, Counts& counts) {
   counts.out_of_family_said.add(said.verdict == "unexplained");
   counts.out_of_family_named.add(said.verdict == "missing");
+}
+
+/// Is nothing else, as far as is known, so like it that nobody could tell the two apart?
+bool is_separable(const std::optional<double>& nearest) {
+  constexpr double alike = 0.9;  // a fifth of χ² is left between the two
+  return nearest && *nearest < alike;
+}
+
+/// The same two shares, of those effects that could be told from all others.
+void count_separable(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+  const TrialEffect& effect = truth.effects.front();
+  if (is_separable(truth.nearest_family))
+    counts.separable_family_right.add(family_said(said) == effect.family);
+  if (is_separable(truth.nearest_name) && !effect.registry_name.empty())
+    counts.separable_name_right.add(name_is_said(said, effect.registry_name));
 }
 
 void count_single(const TrialEffect& truth, const TrialAnswer& said, Counts& counts) {
@@ -58,8 +74,10 @@ void count_answer(const TrialTruth& truth, const TrialAnswer& said, Counts& coun
     count_pair(truth, said, counts);
   else if (truth.effects.front().family == "out_of_family")
     count_outside(said, counts);
-  else
+  else {
     count_single(truth.effects.front(), said, counts);
+    count_separable(truth, said, counts);
+  }
 }
 
 /// What the diagnosis alone says: a size, and how the unseen speed is predicted.
@@ -96,6 +114,12 @@ std::vector<TrialGate> gates_of(const Counts& c) {
       {.what = "wrong family", .share = c.wrong_family, .most = 0.03},
       {.what = "abstained from a family", .share = c.abstained},
       {.what = "name right or in the set", .share = c.name_right, .least = 0.75},
+      {.what = "family right, unlike all other families",
+       .share = c.separable_family_right,
+       .least = 0.95},
+      {.what = "name right or in the set, unlike all other names",
+       .share = c.separable_name_right,
+       .least = 0.95},
       {.what = "confidently wrong name", .share = c.wrong_name, .most = 0.03},
       {.what = "outside every family: said so", .share = c.out_of_family_said, .least = 0.80},
       {.what = "outside every family: named", .share = c.out_of_family_named, .most = 0.10},

@@ -23,6 +23,9 @@ struct TrialTruth {
   int trial = 0;
   std::vector<TrialEffect> effects;  ///< empty: a null
   double visible_chi_square = 0.0;
+  /// Largest cosine between what shows of the truth and of any form of another family, and of
+  /// another name; absent where the generator did not say.
+  std::optional<double> nearest_family, nearest_name;
   std::string noise_colour, noise_stated;
   double noise_share = 0.0;  ///< one deviation over the smallest peak force of the believed model
 };

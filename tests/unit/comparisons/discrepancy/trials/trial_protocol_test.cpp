@@ -28,6 +28,8 @@ TEST(TrialProtocolTest, EveryThresholdIsAnotherProtocol) {
   EXPECT_NE(frozen, protocol_digest(protocol_with({.fitted_faults = 7})));
   EXPECT_NE(frozen, protocol_digest(protocol_with({.fitted_pairs = 9})));
   EXPECT_NE(frozen, protocol_digest(protocol_with({.most_effects = 2})));
+  EXPECT_NE(frozen, protocol_digest(protocol_with({.bootstrap_draws = 99})));
+  EXPECT_NE(frozen, protocol_digest(protocol_with({.least_inclusion = 0.7})));
   EXPECT_NE(frozen, protocol_digest(protocol_with({}, 2)));
 }
 

@@ -90,6 +90,20 @@ TEST(TrialScoreTest, AFormWithoutANearestNameHasNoRightOne) {
   EXPECT_EQ(gate(scores, "family right").share.of, 1);
 }
 
+TEST(TrialScoreTest, WhatCouldBeToldApartIsCountedByItself) {
+  TrialTruth unlike = hidden(1, "memory", "relaxation"), like = hidden(2, "memory", "relaxation");
+  unlike.nearest_family = 0.5;
+  unlike.nearest_name = 0.95;
+  like.nearest_family = 0.95;
+  const TrialScores scores = score_trials(
+      trials_of({said(1, "family", "memory"), said(2, "family", "rate"), said(3, "family", "rate")},
+                {unlike, like, hidden(3, "memory", "relaxation")}));
+  const Share family = gate(scores, "family right, unlike all other families").share;
+  EXPECT_EQ(family.count, 1);
+  EXPECT_EQ(family.of, 1) << "where a rival is like it, or none is known, nobody could tell";
+  EXPECT_EQ(gate(scores, "name right or in the set, unlike all other names").share.of, 0);
+}
+
 TEST(TrialScoreTest, ControlsAreScoredByTheSameRules) {
   TrialOutcome first = said(1, "agrees"), second = said(2, "missing", "memory", "relaxation");
   first.controls["random"] = answer_of_set({"force-exponent"}, "elastic");

@@ -22,6 +22,7 @@ TrialCollection examples() {
   TrialTruth sized = hidden(2, "memory", "relaxation", 1234.5678901234567);
   sized.effects.front().in_registry = true;
   sized.effects.front().registry_size = 0.1 + 0.2;
+  sized.nearest_family = 0.25;
   TrialTruth pair = hidden(3, "rate", "linear-dashpot");
   pair.effects.push_back(hidden(3, "out_of_family", "").effects.front());
   TrialOutcome named = said(2, "missing", "memory", "relaxation");
@@ -51,6 +52,8 @@ TEST(TrialTableTest, ScoresComeBackFromTheTable) {
   ASSERT_EQ(again.records.size(), 3u);
   EXPECT_EQ(*again.records[1].truth.effects.front().registry_size, 0.1 + 0.2);
   EXPECT_EQ(again.records[2].outcome.said.candidates, trials.records[2].outcome.said.candidates);
+  EXPECT_EQ(again.records[1].truth.nearest_family, 0.25);
+  EXPECT_FALSE(again.records[1].truth.nearest_name.has_value());
   EXPECT_FALSE(again.records[1].outcome.held_out_after.has_value());
   EXPECT_EQ(again.records[1].outcome.controls.at("random").named, "hum");
 }
