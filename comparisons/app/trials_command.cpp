@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/discrepancy/trials/trial_report.hpp"
+#include "comparisons/discrepancy/trials/trial_table.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -13,8 +16,11 @@ namespace rebound {
 namespace {
 
 struct TrialsOptions {
-  std::string folder;
+  std::vector<std::string> folders;
+  std::string table, from_table;
   std::uint64_t seed = 1;
+  std::size_t count = 0;
+  bool mixed = false;
   bool fail_on_miss = false;
 };
 
@@ -22,43 +28,121 @@ std::string trials_help() {
   return "FOLDER is what build/trial_generator wrote: data sets, believed models and sealed "
          "truths.\n"
          "Every data set is diagnosed; the truths are opened after the last one, and only where\n"
-         "their bytes match their seals. Outcomes stand in --out (default FOLDER/outcomes), one\n"
-         "file a trial: a run that was stopped goes on where it was. Beside them: trials.json and\n"
-         "report.html with every share, its Wilson interval and what is asked of it.\n\n"
+         "their bytes match their seals. Outcomes stand in FOLDER/outcomes (of one folder in "
+         "--out\n"
+         "where that is given), one file a trial: a run that was stopped goes on where it was.\n"
+         "Beside them stands the protocol: thresholds, version and digest of the program. "
+         "Outcomes\n"
+         "of two protocols are refused before the first diagnosis; --mixed takes them, and says "
+         "so.\n"
+         "\n"
+         "trials.json and report.html go to --out (default FOLDER/outcomes; results/trials of\n"
+         "several folders): every share with its Wilson interval and what is asked of it, power\n"
+         "over size and noise, confusion by family and by name, and beside the diagnosis three\n"
+         "controls: the lowest BIC without abstention, a sparse regression of the residual force,\n"
+         "and a random answer.\n\n"
          "  build/trial_generator --out blind --count 100 --seed 7\n"
-         "  build/rebound trials blind\n\n" +
+         "  build/rebound trials blind --table blind.csv\n"
+         "  build/rebound trials --from-table blind.csv --out page\n\n" +
          exit_code_help();
 }
 
-ExitCode run_trials_command(const Session& session, const TrialsOptions& options) {
-  const std::filesystem::path folder = options.folder;
-  const std::filesystem::path out = session.out.empty() ? folder / "outcomes" : session.out;
-  const std::vector<TrialOutcome> outcomes = [&] {
-    ProgressLine progress("trials");
-    return run_trials({.folder = folder, .outcomes = out, .seed = options.seed},
-                      progress.control());
-  }();
-  const TrialScores scores = score_trials(outcomes, read_truths(folder));
-  const Json json = to_json(scores);
-  Json stored = json;
-  stored["provenance"] = to_json(provenance_of(session, options.folder, ""));
-  write_file_atomically(out / "trials.json", dump(stored));
-  report::write_report(trial_report(scores), out / "report.html");
+void check_options(const TrialsOptions& options) {
+  if (options.folders.empty() == options.from_table.empty())
+    throw Error(ExitCode::bad_input, "needs folders of trials, or a table of them",
+                {.key = "FOLDER", .allowed = "FOLDER ..., or --from-table FILE alone"});
+  if (!options.from_table.empty() && !options.table.empty())
+    throw Error(ExitCode::bad_input, "would write the table that it reads",
+                {.key = "--table", .value = options.table, .allowed = "without --from-table"});
+}
+
+/// Where scores are written; empty: nowhere.
+std::filesystem::path scores_folder(const Session& session, const TrialsOptions& options) {
+  if (!session.out.empty() || options.folders.empty()) return session.out;
+  if (options.folders.size() > 1) return std::filesystem::path("results") / "trials";
+  return std::filesystem::path(options.folders.front()) / "outcomes";
+}
+
+TrialRun run_of(const Session& session, const TrialsOptions& options) {
+  TrialRun run{.folders = {}, .seed = options.seed, .mixed = options.mixed};
+  if (options.count > 0) run.most = options.count;
+  for (const std::string& folder : options.folders) {
+    const bool alone = options.folders.size() == 1 && !session.out.empty();
+    run.folders.push_back(
+        {.data = folder,
+         .outcomes = alone ? session.out : std::filesystem::path(folder) / "outcomes"});
+  }
+  return run;
+}
+
+ExitCode print_progress(const Session& session, const TrialProgress& progress) {
   if (session.json())
-    fmt::print("{}", dump(json));
+    fmt::print("{}", dump({{"schema", 1},
+                           {"complete", false},
+                           {"outcomes", progress.with_outcome},
+                           {"trials", progress.trials}}));
   else
-    fmt::print("{}\nreport    {}\n", to_text(scores), (out / "report.html").string());
-  const bool missed = std::any_of(scores.gates.begin(), scores.gates.end(),
-                                  [](const TrialGate& gate) { return !gate.passes(); });
+    fmt::print("{} of {} trials have their outcome; no truth is opened before the last\n",
+               progress.with_outcome, progress.trials);
+  return ExitCode::done;
+}
+
+ExitCode write_scores(const Session& session, const TrialsOptions& options,
+                      const TrialCollection& trials) {
+  if (!options.table.empty()) write_file_atomically(options.table, table_csv(trials));
+  const TrialScores scores = score_trials(trials);
+  const Json json = to_json(scores);
+  const std::filesystem::path out = scores_folder(session, options);
+  if (!out.empty()) {
+    make_writable_folder(out);
+    Json stored = json;
+    const std::string& input =
+        options.folders.empty() ? options.from_table : options.folders.front();
+    stored["provenance"] = to_json(provenance_of(session, input, ""));
+    write_file_atomically(out / "trials.json", dump(stored));
+    report::write_report(trial_report(scores), out / "report.html");
+  }
+  if (session.json()) {
+    fmt::print("{}", dump(json));
+  } else {
+    fmt::print("{}", to_text(scores));
+    if (!out.empty()) fmt::print("\nreport    {}\n", (out / "report.html").string());
+  }
+  const bool missed =
+      std::any_of(scores.gates.begin(), scores.gates.end(),
+                  [](const TrialGate& gate) { return gate.is_asked() && !gate.passes(); });
   return options.fail_on_miss && missed ? ExitCode::comparison_failed : ExitCode::done;
+}
+
+ExitCode run_trials_command(const Session& session, const TrialsOptions& options) {
+  check_options(options);
+  if (!options.from_table.empty())
+    return write_scores(session, options, read_trial_table(options.from_table));
+  const TrialRun run = run_of(session, options);
+  const TrialProgress progress = [&] {
+    ProgressLine line("trials");
+    return run_trials(run, line.control());
+  }();
+  if (!progress.complete()) return print_progress(session, progress);
+  return write_scores(session, options, open_trials(run));
 }
 
 }  // namespace
 
 Action declare_trials(CLI::App& command) {
   const auto options = std::make_shared<TrialsOptions>();
-  command.add_option("FOLDER", options->folder, "Trials as the generator wrote them")->required();
+  command.add_option("FOLDER", options->folders,
+                     "Trials as the generator wrote them; several are scored together");
+  command.add_option("--table", options->table, "Write all trials with their outcomes as CSV");
+  command.add_option("--from-table", options->from_table,
+                     "Score such a CSV again, without trials or truths");
+  command
+      .add_option("--count", options->count,
+                  "Diagnose at most so many now; the same command goes on with the rest")
+      ->check(CLI::PositiveNumber);
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
+  command.add_flag("--mixed", options->mixed,
+                   "Take outcomes of several thresholds or programs together, and say so");
   command.add_flag("--fail-on-miss", options->fail_on_miss, "Exit 1 when a gate is missed");
   command.footer(trials_help);
   return [options](const Session& session) { return run_trials_command(session, *options); };

@@ -6,9 +6,12 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <set>
 #include <sstream>
+#include <tuple>
 
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
+#include "comparisons/discrepancy/trials/trial_controls.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -24,19 +27,35 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-std::vector<int> trials_of(const std::filesystem::path& folder) {
-  std::vector<int> numbers;
-  if (std::filesystem::is_directory(folder / "trials"))
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "trials"))
-      if (entry.is_directory()) numbers.push_back(std::atoi(entry.path().filename().c_str()));
-  if (numbers.empty())
+/// One trial of a run.
+struct TrialPlace {
+  const TrialFolder* folder;
+  int number;
+
+  std::filesystem::path data() const {
+    return folder->data / "trials" / fmt::format("{:04}", number);
+  }
+  std::filesystem::path outcome() const {
+    return folder->outcomes / fmt::format("{:04}.json", number);
+  }
+  bool has_outcome() const { return std::filesystem::exists(outcome()); }
+};
+
+std::vector<TrialPlace> places_of(const TrialFolder& folder) {
+  std::vector<TrialPlace> places;
+  if (std::filesystem::is_directory(folder.data / "trials"))
+    for (const auto& entry : std::filesystem::directory_iterator(folder.data / "trials"))
+      if (entry.is_directory())
+        places.push_back({&folder, std::atoi(entry.path().filename().c_str())});
+  if (places.empty())
     throw Error(ExitCode::bad_input, "holds no trials",
-                {.file = folder.string(), .allowed = "a folder that trial_generator wrote"});
-  std::sort(numbers.begin(), numbers.end());
-  return numbers;
+                {.file = folder.data.string(), .allowed = "a folder that trial_generator wrote"});
+  std::sort(places.begin(), places.end(),
+            [](const TrialPlace& a, const TrialPlace& b) { return a.number < b.number; });
+  return places;
 }
 
-DiagnosisRequest request_of(const std::filesystem::path& trial, std::uint64_t seed) {
+DiagnosisRequest request_of(const std::filesystem::path& trial, const TrialProtocol& protocol) {
   DiagnosisRequest request;
   request.datasets = {read_dataset(trial.string())};
   const BelievedModel believed =
@@ -44,114 +63,164 @@ DiagnosisRequest request_of(const std::filesystem::path& trial, std::uint64_t se
   request.believed = believed.model;
   request.believed_effects = believed.effects;
   request.ask_fem = false;  // nothing of these trials comes from a body of finite size
-  request.seed = seed;
+  request.rules = protocol.rules;
+  request.seed = protocol.seed;
   return request;
 }
 
+void describe_data(const Dataset& data, TrialOutcome& outcome) {
+  std::set<double> speeds;
+  for (const MeasuredImpact& shot : data.shots) speeds.insert(shot.impact.speed);
+  outcome.speeds = static_cast<int>(speeds.size());
+  outcome.shots = static_cast<int>(data.shots.size());
+}
+
 void describe_verdict(const Diagnosis& d, TrialOutcome& outcome) {
-  outcome.verdict = name_of(d.verdict);
-  if (d.family != EffectFamily::none) outcome.family = name_of(d.family);
-  outcome.candidates = d.candidates;
+  outcome.said.verdict = name_of(d.verdict);
+  if (d.family != EffectFamily::none) outcome.said.family = name_of(d.family);
+  outcome.said.candidates = d.candidates;
   outcome.held_out_before = d.gap.held_out_before;
   outcome.held_out_after = d.gap.held_out_after;
   outcome.held_out_noise = d.gap.held_out_noise;
   outcome.warnings = d.warnings;
   if (d.effects.size() != 1 || d.candidates.size() != 1) return;
   const NamedEffect& effect = d.effects.front();
-  outcome.named = effect.effect.name;
+  outcome.said.named = effect.effect.name;
   outcome.size = effect.size.value;
   outcome.size_low = effect.size.low;
   outcome.size_high = effect.size.high;
 }
 
-TrialOutcome diagnose_trial(int number, const TrialRun& run, const RunControl& control) {
+Error interruption() {
+  return {ExitCode::interrupted,
+          "interrupted; outcomes so far are kept, the same command goes on with the rest"};
+}
+
+TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protocol,
+                            const RunControl& control) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  TrialOutcome outcome{.trial = number};
+  TrialOutcome outcome{
+      .trial = place.number, .said = {}, .failure = {}, .warnings = {}, .controls = {}};
+  outcome.protocol = protocol_digest(to_json(protocol));
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   try {
-    const auto trial = run.folder / "trials" / fmt::format("{:04}", number);
-    describe_verdict(diagnose(request_of(trial, run.seed), {.interrupted = control.interrupted}),
-                     outcome);
+    const DiagnosisRequest request = request_of(place.data(), protocol);
+    describe_data(request.datasets.front(), outcome);
+    const Diagnosis diagnosis = diagnose(request, {.interrupted = control.interrupted});
+    outcome.seconds = seconds();
+    describe_verdict(diagnosis, outcome);
+    outcome.controls =
+        answers_of_controls(diagnosis, protocol.seed, text_of(place.data() / "dataset.toml"));
   } catch (const Error& error) {
-    if (error.code() == ExitCode::interrupted) throw;
-    outcome.verdict = "failed";
+    if (error.code() == ExitCode::interrupted) throw interruption();
     outcome.failure = error.what();
+    const TrialAnswer failed{.verdict = "failed", .family = {}, .candidates = {}, .named = {}};
+    if (outcome.said.verdict.empty()) {  // else it was a control that failed
+      outcome.said = failed;
+      outcome.seconds = seconds();
+    }
+    for (const ControlName& name : control_names) outcome.controls[name.key] = failed;
   }
-  outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return outcome;
 }
 
-Json value_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
+/// Protocols of the outcomes that stand; that of this program where there are more to come.
+TrialProtocols protocols_of(const std::vector<TrialPlace>& done, bool more,
+                            const Json& of_this_program) {
+  TrialProtocols protocols;
+  for (const TrialPlace& place : done) {
+    const auto file = place.outcome();
+    const std::string digest = trial_outcome_from(text_of(file), file.string()).protocol;
+    if (!protocols.contains(digest))
+      protocols[digest] = read_protocol(place.folder->outcomes, digest);
+  }
+  if (more) protocols[protocol_digest(of_this_program)] = of_this_program;
+  return protocols;
 }
 
-std::optional<double> optional_number(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+void refuse_mixed(const TrialProtocols& protocols, const TrialRun& run) {
+  if (protocols.size() < 2 || run.mixed) return;
+  std::string list;
+  for (const auto& [digest, protocol] : protocols)
+    list += fmt::format("{}{}", list.empty() ? "" : "; ", describe_protocol(protocol));
+  throw Error(ExitCode::bad_input, "outcomes would be of more than one protocol: " + list,
+              {.file = run.folders.front().outcomes.string(),
+               .key = "--mixed",
+               .allowed = "outcomes of one program and its thresholds, or --mixed"});
+}
+
+void split(const TrialRun& run, std::vector<TrialPlace>& done, std::vector<TrialPlace>& pending) {
+  for (const TrialFolder& folder : run.folders)
+    for (const TrialPlace& place : places_of(folder))
+      (place.has_outcome() ? done : pending).push_back(place);
 }
 
 }  // namespace
 
-Json to_json(const TrialOutcome& outcome) {
-  return {
-      {"schema", 1},
-      {"trial", outcome.trial},
-      {"verdict", outcome.verdict},
-      {"failure", outcome.failure},
-      {"family", outcome.family},
-      {"candidates", outcome.candidates},
-      {"named", outcome.named},
-      {"size", {outcome.size, outcome.size_low, outcome.size_high}},
-      {"held_out", {value_or_null(outcome.held_out_before), value_or_null(outcome.held_out_after)}},
-      {"held_out_noise", outcome.held_out_noise},
-      {"warnings", outcome.warnings},
-      {"seconds", outcome.seconds}};
-}
-
-TrialOutcome trial_outcome_from(const std::string& text, const std::string& file) {
-  try {
-    const Json json = Json::parse(text);
-    TrialOutcome outcome{.trial = json.at("trial"),
-                         .verdict = json.at("verdict"),
-                         .failure = json.at("failure"),
-                         .family = json.at("family"),
-                         .candidates = json.at("candidates"),
-                         .named = json.at("named")};
-    outcome.size = json.at("size").at(0);
-    outcome.size_low = json.at("size").at(1);
-    outcome.size_high = json.at("size").at(2);
-    outcome.held_out_before = optional_number(json.at("held_out").at(0));
-    outcome.held_out_after = optional_number(json.at("held_out").at(1));
-    outcome.held_out_noise = json.at("held_out_noise");
-    outcome.warnings = json.at("warnings").get<std::vector<std::string>>();
-    outcome.seconds = json.at("seconds");
-    return outcome;
-  } catch (const Json::exception& error) {
-    throw Error(ExitCode::corrupt_store,
-                std::string("is not the outcome of a trial: ") + error.what(), {.file = file});
+TrialProgress run_trials(const TrialRun& run, const RunControl& control) {
+  std::vector<TrialPlace> done, pending;
+  split(run, done, pending);
+  const std::size_t trials = done.size() + pending.size();
+  if (run.most && *run.most < pending.size())
+    pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(*run.most), pending.end());
+  const TrialProtocol protocol = protocol_of_this_program(run.seed);
+  refuse_mixed(protocols_of(done, !pending.empty(), to_json(protocol)), run);
+  for (const TrialFolder& folder : run.folders) {
+    make_writable_folder(folder.outcomes);
+    if (std::any_of(pending.begin(), pending.end(),
+                    [&](const TrialPlace& place) { return place.folder == &folder; }))
+      write_protocol(folder.outcomes, to_json(protocol));
   }
+  std::atomic<std::size_t> diagnosed = 0;
+  in_parallel(pending.size(), [&](std::size_t i) {
+    if (control.interrupted && control.interrupted()) throw interruption();
+    write_file_atomically(pending[i].outcome(),
+                          dump(to_json(diagnose_trial(pending[i], protocol, control))));
+    ++diagnosed;
+    if (control.progress)
+      control.progress(static_cast<double>(diagnosed) / static_cast<double>(pending.size()));
+  });
+  return {.with_outcome = done.size() + diagnosed, .trials = trials};
 }
 
-std::vector<TrialOutcome> run_trials(const TrialRun& run, const RunControl& control) {
-  const std::vector<int> numbers = trials_of(run.folder);
-  make_writable_folder(run.outcomes);
-  std::vector<TrialOutcome> outcomes(numbers.size());
-  std::atomic<std::size_t> done = 0;
-  in_parallel(numbers.size(), [&](std::size_t i) {
-    if (control.interrupted && control.interrupted())
-      throw Error(ExitCode::interrupted,
-                  "interrupted; outcomes so far are kept, the same command goes on with the rest");
-    const auto file = run.outcomes / fmt::format("{:04}.json", numbers[i]);
-    if (std::filesystem::exists(file)) {
-      outcomes[i] = trial_outcome_from(text_of(file), file.string());
-    } else {
-      outcomes[i] = diagnose_trial(numbers[i], run, control);
-      write_file_atomically(file, dump(to_json(outcomes[i])));
+TrialCollection open_trials(const TrialRun& run) {
+  std::vector<TrialPlace> done, pending;
+  split(run, done, pending);
+  if (!pending.empty())
+    throw Error(ExitCode::bad_input, "a trial has no outcome yet; no truth is opened",
+                {.file = pending.front().outcome().string()});
+  TrialCollection all{.records = {}, .protocols = protocols_of(done, false, {})};
+  refuse_mixed(all.protocols, run);
+  std::set<std::tuple<std::string, std::uint64_t, int>> known;
+  for (const TrialFolder& folder : run.folders) {
+    std::vector<TrialOutcome> outcomes;
+    for (const TrialPlace& place : places_of(folder))
+      outcomes.push_back(trial_outcome_from(text_of(place.outcome()), place.outcome().string()));
+    for (TrialRecord& record : records_of(outcomes, read_truths(folder.data))) {
+      const TrialTruth& truth = record.truth;
+      if (!known.emplace(truth.set, truth.seed, truth.trial).second)
+        throw Error(ExitCode::bad_input,
+                    fmt::format("trial {} of set \"{}\", seed {}, stands in two folders",
+                                truth.trial, truth.set, truth.seed),
+                    {.file = folder.data.string(), .allowed = "every trial once"});
+      all.records.push_back(std::move(record));
     }
-    ++done;
-    if (control.progress)
-      control.progress(static_cast<double>(done) / static_cast<double>(numbers.size()));
-  });
-  return outcomes;
+  }
+  return all;
+}
+
+std::vector<TrialRecord> records_of(const std::vector<TrialOutcome>& outcomes,
+                                    const std::vector<TrialTruth>& truths) {
+  if (outcomes.size() != truths.size())
+    throw Error(ExitCode::corrupt_store, "trials and truths are not as many");
+  std::vector<TrialRecord> records;
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    if (truths[i].trial != outcomes[i].trial)
+      throw Error(ExitCode::corrupt_store, "trials and truths are not the same");
+    records.push_back({truths[i], outcomes[i]});
+  }
+  return records;
 }
 
 }  // namespace rebound

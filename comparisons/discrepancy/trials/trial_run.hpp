@@ -5,41 +5,62 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/io/results/json.hpp"
+#include "comparisons/discrepancy/trials/trial_outcome.hpp"
+#include "comparisons/discrepancy/trials/trial_protocol.hpp"
+#include "comparisons/discrepancy/trials/trial_truth.hpp"
 #include "lumped/problem/run_control.hpp"
 
 namespace rebound {
 
-/// What a diagnosis said of one trial, and nothing of what was hidden in it.
-struct TrialOutcome {
-  int trial = 0;
-  std::string verdict;  ///< as in the results of a diagnosis; "failed" where it ended in an error
-  std::string failure;
-  std::string family;  ///< empty: none said
-  std::vector<std::vector<std::string>> candidates;
-  std::string named;  ///< the one effect of verdict "missing"; empty: none, or more than one
-  double size = 0.0, size_low = 0.0, size_high = 0.0;
-  std::optional<double> held_out_before, held_out_after;  ///< reduced whitened χ²
-  double held_out_noise = 0.0;                            ///< deviation of it by noise alone
-  std::vector<std::string> warnings;
-  double seconds = 0.0;
+/// A trial once its truth has been opened.
+struct TrialRecord {
+  TrialTruth truth;
+  TrialOutcome outcome;
 };
 
-Json to_json(const TrialOutcome& outcome);
-/// Errors: Error(corrupt_store) for what is not such a text; `file` is named in it.
-TrialOutcome trial_outcome_from(const std::string& text, const std::string& file);
+/// Trials of one folder or many, with what their outcomes were made with.
+struct TrialCollection {
+  std::vector<TrialRecord> records;
+  TrialProtocols protocols;
+};
+
+/// Trials as the generator wrote them, and where their outcomes stand.
+struct TrialFolder {
+  std::filesystem::path data;
+  std::filesystem::path outcomes;  ///< one file a trial, and their protocol
+};
 
 struct TrialRun {
-  std::filesystem::path folder;    ///< as the generator wrote it
-  std::filesystem::path outcomes;  ///< one file a trial
+  std::vector<TrialFolder> folders;
   std::uint64_t seed = 1;
+  std::optional<std::size_t> most{};  ///< diagnoses in this run; the rest stays for the next
+  bool mixed = false;  ///< outcomes of more than one protocol are taken together, and it is said
 };
 
-/// Diagnoses every trial that has no outcome yet, several side by side, and returns all outcomes in
-/// the order of the trials.
+/// How far a run of trials has come.
+struct TrialProgress {
+  std::size_t with_outcome = 0, trials = 0;
+
+  bool complete() const { return with_outcome == trials; }
+};
+
+/// Diagnoses trials that have no outcome yet, several side by side, and keeps each outcome as a
+/// file. No truth is opened.
 ///
-/// Errors: Error(bad_input) for a folder without trials; Error(interrupted), with what is complete
-/// kept.
-std::vector<TrialOutcome> run_trials(const TrialRun& run, const RunControl& control = {});
+/// Progress is that of the trials which this run diagnoses.
+/// Errors: Error(bad_input) for a folder without trials, or, before the first diagnosis, where
+///         outcomes would be of more than one protocol; Error(corrupt_store) for an outcome that
+///         cannot be read; Error(interrupted), with what is complete kept.
+TrialProgress run_trials(const TrialRun& run, const RunControl& control = {});
+
+/// Opens the truths of a complete run.
+/// Errors: as read_truths() and records_of(); Error(bad_input) where a trial stands in two folders
+///         or an outcome is missing.
+TrialCollection open_trials(const TrialRun& run);
+
+/// Outcomes with their truths, trial by trial.
+/// Errors: Error(corrupt_store) where trials and truths are not the same.
+std::vector<TrialRecord> records_of(const std::vector<TrialOutcome>& outcomes,
+                                    const std::vector<TrialTruth>& truths);
 
 }  // namespace rebound

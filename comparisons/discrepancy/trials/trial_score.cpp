@@ -1,128 +1,102 @@
 #include "comparisons/discrepancy/trials/trial_score.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
 
-#include "comparisons/models/effects/effect.hpp"
-#include "lumped/problem/error.hpp"
+#include <algorithm>
+
+#include "comparisons/discrepancy/trials/trial_controls.hpp"
 
 namespace rebound {
 namespace {
 
-constexpr double visible = 25.0;  // of χ²: below, the data do not hold the effect
-constexpr double z = 1.96;        // of 95 %, two sides
-
-double wilson(const Share& share, double sign) {
-  if (share.of == 0) return sign > 0.0 ? 1.0 : 0.0;
-  const double n = share.of, p = share.value();
-  return (p + z * z / (2.0 * n) + sign * z * std::sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))) /
-         (1.0 + z * z / n);
-}
-
-bool says_gap(const TrialOutcome& o) {
-  return o.verdict != "agrees" && o.verdict != "insufficient-data" && o.verdict != "failed";
-}
-
-/// The family a verdict stands for; empty where it leaves it open.
-std::string family_said(const TrialOutcome& o) {
-  return o.verdict == "measurement-fault" ? "measurement" : o.family;
-}
-
-bool in_a_candidate(const TrialOutcome& o, const std::string& name) {
-  return std::any_of(o.candidates.begin(), o.candidates.end(), [&](const auto& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  });
-}
-
-bool family_in_a_candidate(const TrialOutcome& o, const std::string& family) {
-  return std::any_of(o.candidates.begin(), o.candidates.end(), [&](const auto& names) {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return name_of(find_effect(name).card.family) == family;
-    });
-  });
-}
-
-void count(Share& share, bool yes) {
-  ++share.of;
-  if (yes) ++share.count;
-}
-
 /// The shares behind the gates.
 struct Counts {
-  Share false_alarm, family_right, family_right_where_said, wrong_family, name_right, wrong_name;
+  Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
+      wrong_family, abstained, name_right, wrong_name;
+  Share separable_family_right, separable_name_right;
   Share out_of_family_said, out_of_family_named, unseen_better, coverage, pairs_both,
       pairs_not_false;
 };
 
-std::string row_of(const TrialTruth& truth) {
-  if (truth.effects.empty()) return "nothing";
-  if (truth.effects.size() > 1) return "two effects";
-  return truth.effects.front().family;
+void count_null(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+  counts.false_alarm.add(says_gap(said));
+  if (truth.noise_stated == "half" || truth.noise_stated == "twice")
+    counts.false_alarm_misstated.add(says_gap(said));
 }
 
-std::string column_of(const TrialOutcome& o) {
-  const std::string family = family_said(o);
-  if (!says_gap(o) || o.verdict == "unexplained" || family.empty()) return o.verdict;
-  return o.verdict == "measurement-fault" ? o.verdict : family;
+void count_outside(const TrialAnswer& said, Counts& counts) {
+  counts.out_of_family_said.add(said.verdict == "unexplained");
+  counts.out_of_family_named.add(said.verdict == "missing");
 }
 
-void count_null(const TrialTruth& truth, const TrialOutcome& o, Counts& counts,
-                TrialScores& scores) {
-  count(counts.false_alarm, says_gap(o));
-  count(scores.false_alarms_by_noise[truth.noise_colour + ", stated " + truth.noise_stated],
-        says_gap(o));
+/// Is nothing else, as far as is known, so like it that nobody could tell the two apart?
+bool is_separable(const std::optional<double>& nearest) {
+  constexpr double alike = 0.9;  // a fifth of χ² is left between the two
+  return nearest && *nearest < alike;
 }
 
-void count_outside(const TrialOutcome& o, Counts& counts) {
-  count(counts.out_of_family_said, o.verdict == "unexplained");
-  count(counts.out_of_family_named, o.verdict == "missing");
+/// The same two shares, of those effects that could be told from all others.
+void count_separable(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+  const TrialEffect& effect = truth.effects.front();
+  if (is_separable(truth.nearest_family))
+    counts.separable_family_right.add(family_said(said) == effect.family);
+  if (is_separable(truth.nearest_name) && !effect.registry_name.empty())
+    counts.separable_name_right.add(name_is_said(said, effect.registry_name));
 }
 
-void count_single(const TrialEffect& truth, const TrialOutcome& o, Counts& counts,
-                  TrialScores& scores) {
-  const std::string said = family_said(o);
-  const bool open = said.empty();
-  const bool in_set = in_a_candidate(o, truth.registry_name);
-  count(counts.family_right, said == truth.family);
-  if (!open) count(counts.family_right_where_said, said == truth.family);
-  count(counts.wrong_family, !open && said != truth.family);
-  count(counts.name_right, o.named == truth.registry_name || in_set);
-  count(counts.wrong_name, o.verdict == "missing" && o.named != truth.registry_name);
-  count(scores.not_wrong_by_form[truth.family + ": " + truth.form],
-        said == truth.family || (open && family_in_a_candidate(o, truth.family)));
-  if (truth.in_registry && truth.registry_size && o.verdict == "missing" &&
-      o.named == truth.registry_name)
-    count(counts.coverage,
-          o.size_low <= *truth.registry_size && *truth.registry_size <= o.size_high);
+void count_single(const TrialEffect& truth, const TrialAnswer& said, Counts& counts) {
+  const std::string family = family_said(said);
+  counts.detected.add(says_gap(said));
+  counts.family_right.add(family == truth.family);
+  if (!family.empty()) counts.family_right_where_said.add(family == truth.family);
+  counts.wrong_family.add(!family.empty() && family != truth.family);
+  counts.abstained.add(family.empty());
+  if (!truth.registry_name.empty())  // else there is no right one
+    counts.name_right.add(name_is_said(said, truth.registry_name));
+  counts.wrong_name.add(said.verdict == "missing" && said.named != truth.registry_name);
 }
 
-void count_pair(const TrialTruth& truth, const TrialOutcome& o, Counts& counts) {
-  const auto known = [&](const TrialEffect& effect) {
-    return in_a_candidate(o, effect.registry_name);
-  };
-  count(counts.pairs_both, known(truth.effects[0]) && known(truth.effects[1]));
-  count(counts.pairs_not_false,
-        o.verdict != "missing" || known(truth.effects[0]) || known(truth.effects[1]));
+void count_pair(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+  const bool first = in_a_candidate(said, truth.effects[0].registry_name),
+             second = in_a_candidate(said, truth.effects[1].registry_name);
+  counts.pairs_both.add(first && second);
+  counts.pairs_not_false.add(said.verdict != "missing" || first || second);
+}
+
+bool counts_at_all(const TrialTruth& truth) {
+  return truth.effects.empty() || truth.visible_chi_square >= smallest_visible_chi_square;
+}
+
+void count_answer(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+  if (truth.effects.empty())
+    count_null(truth, said, counts);
+  else if (truth.effects.size() > 1)
+    count_pair(truth, said, counts);
+  else if (truth.effects.front().family == "out_of_family")
+    count_outside(said, counts);
+  else {
+    count_single(truth.effects.front(), said, counts);
+    count_separable(truth, said, counts);
+  }
+}
+
+/// What the diagnosis alone says: a size, and how the unseen speed is predicted.
+void count_size(const TrialTruth& truth, const TrialOutcome& o, Share& coverage) {
+  if (truth.effects.size() != 1 || o.said.verdict != "missing") return;
+  const TrialEffect& effect = truth.effects.front();
+  if (!effect.in_registry || !effect.registry_size || o.said.named != effect.registry_name) return;
+  coverage.add(o.size_low <= *effect.registry_size && *effect.registry_size <= o.size_high);
 }
 
 void count_unseen(const TrialOutcome& o, Share& better) {
-  if (o.verdict != "missing" && o.verdict != "family" && o.verdict != "one-of") return;
+  const std::string& verdict = o.said.verdict;
+  if (verdict != "missing" && verdict != "family" && verdict != "one-of") return;
   constexpr double deviations = 3.0, gone = 0.8;
   if (!o.held_out_before || !o.held_out_after ||
       *o.held_out_before <= 1.0 + deviations * o.held_out_noise)
     return;
   const double removed = *o.held_out_before - std::max(1.0, *o.held_out_after);
-  count(better, removed >= gone * (*o.held_out_before - 1.0));
-}
-
-void gather_times(const std::vector<TrialOutcome>& outcomes, TrialScores& scores) {
-  std::vector<double> seconds;
-  seconds.reserve(outcomes.size());
-  for (const TrialOutcome& o : outcomes) seconds.push_back(o.seconds);
-  if (seconds.empty()) return;
-  std::sort(seconds.begin(), seconds.end());
-  scores.median_seconds = seconds[seconds.size() / 2];
-  scores.longest_seconds = seconds.back();
+  better.add(removed >= gone * (*o.held_out_before - 1.0));
 }
 
 std::vector<TrialGate> gates_of(const Counts& c) {
@@ -131,10 +105,21 @@ std::vector<TrialGate> gates_of(const Counts& c) {
        .share = c.false_alarm,
        .most = 0.05,
        .most_of_upper_bound = 0.075},
+      {.what = "false alarms on nulls, noise misstated by 2",
+       .share = c.false_alarm_misstated,
+       .most = 0.10},
+      {.what = "effects that show: a gap is said", .share = c.detected},
       {.what = "family right", .share = c.family_right, .least = 0.90},
       {.what = "family right, of those that say one", .share = c.family_right_where_said},
       {.what = "wrong family", .share = c.wrong_family, .most = 0.03},
+      {.what = "abstained from a family", .share = c.abstained},
       {.what = "name right or in the set", .share = c.name_right, .least = 0.75},
+      {.what = "family right, unlike all other families",
+       .share = c.separable_family_right,
+       .least = 0.95},
+      {.what = "name right or in the set, unlike all other names",
+       .share = c.separable_name_right,
+       .least = 0.95},
       {.what = "confidently wrong name", .share = c.wrong_name, .most = 0.03},
       {.what = "outside every family: said so", .share = c.out_of_family_said, .least = 0.80},
       {.what = "outside every family: named", .share = c.out_of_family_named, .most = 0.10},
@@ -146,48 +131,98 @@ std::vector<TrialGate> gates_of(const Counts& c) {
       {.what = "two effects: nothing false named", .share = c.pairs_not_false, .least = 0.90}};
 }
 
-}  // namespace
+std::string row_of(const TrialTruth& truth) {
+  if (truth.effects.empty()) return "nothing";
+  if (truth.effects.size() > 1) return "two effects";
+  return truth.effects.front().family;
+}
 
-double Share::low() const {
-  return wilson(*this, -1.0);
+std::string column_of(const TrialAnswer& said) {
+  const std::string family = family_said(said);
+  if (!says_gap(said) || said.verdict == "unexplained" || family.empty()) return said.verdict;
+  return said.verdict == "measurement-fault" ? said.verdict : family;
 }
-double Share::high() const {
-  return wilson(*this, 1.0);
+
+/// The name that is said, or the verdict that says none.
+std::string name_or_verdict(const TrialAnswer& said) {
+  const bool names = said.verdict == "missing" || said.verdict == "measurement-fault";
+  if (!names || said.candidates.empty()) return said.verdict;
+  if (!said.named.empty()) return said.named;
+  return said.candidates.size() == 1 ? "a set" : said.verdict;
 }
+
+void gather_times(const std::vector<TrialRecord>& records, TrialScores& scores) {
+  std::vector<double> seconds;
+  seconds.reserve(records.size());
+  for (const TrialRecord& record : records) seconds.push_back(record.outcome.seconds);
+  if (seconds.empty()) return;
+  std::sort(seconds.begin(), seconds.end());
+  scores.median_seconds = seconds[seconds.size() / 2];
+  scores.longest_seconds = seconds.back();
+}
+
+void gather_controls(const std::vector<TrialRecord>& records, TrialScores& scores) {
+  for (const ControlName& name : control_names) {
+    Counts counts;
+    for (const TrialRecord& record : records)
+      if (const auto control = record.outcome.controls.find(name.key);
+          control != record.outcome.controls.end() && counts_at_all(record.truth))
+        count_answer(record.truth, control->second, counts);
+    scores.controls[name.key] = gates_of(counts);
+  }
+}
+
+/// What is counted beside the gates.
+void gather_details(const TrialRecord& record, TrialScores& scores) {
+  const TrialTruth& truth = record.truth;
+  const TrialAnswer& said = record.outcome.said;
+  ++scores.confusion[row_of(truth)][column_of(said)];
+  if (truth.effects.empty())
+    scores.false_alarms_by_noise[truth.noise_colour + ", stated " + truth.noise_stated].add(
+        says_gap(said));
+  if (truth.effects.size() != 1 || truth.effects.front().family == "out_of_family") return;
+  const TrialEffect& effect = truth.effects.front();
+  ++scores.confusion_by_name[effect.registry_name.empty()
+                                 ? "no such effect in the list"
+                                 : effect.registry_name][name_or_verdict(said)];
+  const std::string family = family_said(said);
+  scores.not_wrong_by_form[effect.family + ": " + effect.form].add(
+      family == effect.family || (family.empty() && family_in_a_candidate(said, effect.family)));
+}
+
+}  // namespace
 
 bool TrialGate::passes() const {
   return share.of > 0 && share.value() >= least && share.value() <= most &&
          (most_of_upper_bound >= 1.0 || share.high() <= most_of_upper_bound);
 }
 
-TrialScores score_trials(const std::vector<TrialOutcome>& outcomes,
-                         const std::vector<TrialTruth>& truths) {
-  if (outcomes.size() != truths.size())
-    throw Error(ExitCode::corrupt_store, "trials and truths are not as many");
-  TrialScores scores{.trials = static_cast<int>(truths.size())};
+TrialScores score_trials(const TrialCollection& trials) {
+  TrialScores scores{.trials = static_cast<int>(trials.records.size()),
+                     .protocols = trials.protocols};
   Counts counts;
-  for (std::size_t i = 0; i < truths.size(); ++i) {
-    const TrialTruth& truth = truths[i];
-    const TrialOutcome& o = outcomes[i];
-    if (truth.trial != o.trial)
-      throw Error(ExitCode::corrupt_store, "trials and truths are not the same");
-    const bool null = truth.effects.empty();
-    if (!null && truth.visible_chi_square < visible) continue;
-    ++scores.confusion[row_of(truth)][column_of(o)];
-    if (null) {
-      count_null(truth, o, counts, scores);
+  int sets = 0, with_candidates = 0;
+  for (const TrialRecord& record : trials.records) {
+    const TrialTruth& truth = record.truth;
+    const TrialOutcome& o = record.outcome;
+    ++scores.origins[fmt::format("{}, seed {}", truth.set, truth.seed)];
+    if (!counts_at_all(truth)) {
+      ++scores.not_visible;
       continue;
     }
-    if (truth.effects.size() > 1)
-      count_pair(truth, o, counts);
-    else if (truth.effects.front().family == "out_of_family")
-      count_outside(o, counts);
-    else
-      count_single(truth.effects.front(), o, counts, scores);
-    count_unseen(o, counts.unseen_better);
+    gather_details(record, scores);
+    count_answer(truth, o.said, counts);
+    count_size(truth, o, counts.coverage);
+    if (!truth.effects.empty()) count_unseen(o, counts.unseen_better);
+    if (o.said.candidates.empty()) continue;
+    sets += static_cast<int>(o.said.candidates.size());
+    ++with_candidates;
   }
+  if (with_candidates > 0) scores.mean_candidates = static_cast<double>(sets) / with_candidates;
   scores.gates = gates_of(counts);
-  gather_times(outcomes, scores);
+  scores.rates = rates_of(trials.records);
+  gather_controls(trials.records, scores);
+  gather_times(trials.records, scores);
   return scores;
 }
 

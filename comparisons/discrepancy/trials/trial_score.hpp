@@ -4,23 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/trials/trial_rates.hpp"
 #include "comparisons/discrepancy/trials/trial_run.hpp"
-#include "comparisons/discrepancy/trials/trial_truth.hpp"
+#include "comparisons/discrepancy/trials/trial_share.hpp"
 
 namespace rebound {
-
-/// So many of so many, with the 95 % interval of the share.
-///
-///   (p + z²/2n ± z √(p(1 − p)/n + z²/4n²)) / (1 + z²/n),  z = 1.96
-///
-/// Source: Wilson 1927, J. Am. Stat. Assoc. 22, 209.
-struct Share {
-  int count = 0, of = 0;
-
-  double value() const { return of == 0 ? 0.0 : static_cast<double>(count) / of; }
-  double low() const;
-  double high() const;
-};
 
 /// A share and what is asked of it.
 struct TrialGate {
@@ -34,15 +22,26 @@ struct TrialGate {
   bool passes() const;
 };
 
+/// Counts by what was hidden, then by what was said of it.
+using ConfusionMatrix = std::map<std::string, std::map<std::string, int>>;
+
 struct TrialScores {
   std::vector<TrialGate> gates;
-  /// Verdicts by what was hidden: family of the truth, then what was said of it.
-  std::map<std::string, std::map<std::string, int>> confusion;
+  /// Gates of each control in the same order, by the same rules; nothing where a control has no
+  /// such quantity.
+  std::map<std::string, std::vector<TrialGate>> controls;
+  ConfusionMatrix confusion;          ///< by family
+  ConfusionMatrix confusion_by_name;  ///< nearest effect of the list against the name that was said
   std::map<std::string, Share> false_alarms_by_noise;
   /// Family right or left open with it in the set, by the form that was hidden.
   std::map<std::string, Share> not_wrong_by_form;
+  std::vector<RateTable> rates;  ///< power over size, noise and number of speeds
+  double mean_candidates = 0.0;  ///< sets of effects where any is said
   double median_seconds = 0.0, longest_seconds = 0.0;
   int trials = 0;
+  int not_visible = 0;                 ///< effects that do not count
+  std::map<std::string, int> origins;  ///< trials by set and seed of the generator
+  TrialProtocols protocols;            ///< more than one: not one error rate
 };
 
 /// Scores outcomes against truths, trial by trial.
@@ -52,9 +51,8 @@ struct TrialScores {
 ///   name right     the nearest effect of the list is the one named
 ///   in the set     it stands in a candidate
 ///   wrong name     one effect is named, and it is another
+///   abstained      a gap, but no family; or no gap, though the effect shows
 ///   unseen gap     where it is above three deviations of its noise, four fifths of it are gone
-/// Errors: Error(corrupt_store) where trials and truths are not the same.
-TrialScores score_trials(const std::vector<TrialOutcome>& outcomes,
-                         const std::vector<TrialTruth>& truths);
+TrialScores score_trials(const TrialCollection& trials);
 
 }  // namespace rebound

@@ -32,11 +32,23 @@ TrialEffect effect_of(const Json& json) {
   return effect;
 }
 
+/// Truths of nulls, and those that were written before, say nothing of rivals.
+std::optional<double> cosine_of(const Json& json, const char* key) {
+  if (!json.contains(key) || json.at(key).at("form") == "") return std::nullopt;
+  return json.at(key).at("cosine").get<double>();
+}
+
 TrialTruth truth_of(const Json& json) {
-  TrialTruth truth{.trial = json.at("trial"),
+  TrialTruth truth{.set = json.at("set"),
+                   .seed = json.at("seed"),
+                   .trial = json.at("trial"),
+                   .effects = {},
                    .visible_chi_square = json.at("visible_chi_square"),
+                   .nearest_family = cosine_of(json, "nearest_of_other_family"),
+                   .nearest_name = cosine_of(json, "nearest_of_other_name"),
                    .noise_colour = json.at("noise").at("colour"),
-                   .noise_stated = json.at("noise").at("stated")};
+                   .noise_stated = json.at("noise").at("stated"),
+                   .noise_share = json.at("noise").at("share_of_smallest_baseline_peak")};
   for (const Json& effect : json.at("effects")) truth.effects.push_back(effect_of(effect));
   return truth;
 }

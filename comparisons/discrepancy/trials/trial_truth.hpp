@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,10 +18,16 @@ struct TrialEffect {
 };
 
 struct TrialTruth {
+  std::string set;         ///< of the generator: "calibration", "scoring"
+  std::uint64_t seed = 0;  ///< that it was drawn from
   int trial = 0;
   std::vector<TrialEffect> effects;  ///< empty: a null
   double visible_chi_square = 0.0;
+  /// Largest cosine between what shows of the truth and of any form of another family, and of
+  /// another name; absent where the generator did not say.
+  std::optional<double> nearest_family, nearest_name;
   std::string noise_colour, noise_stated;
+  double noise_share = 0.0;  ///< one deviation over the smallest peak force of the believed model
 };
 
 /// Reads the truths of a folder.

@@ -40,7 +40,8 @@ std::vector<EffectForm> scale_faults() {
                  .smallest = 0.0003,
                  .largest = 0.2,
                  .either_sign = true,
-                 .secondary = {which_shot}},
+                 .secondary = {which_shot},
+                 .registry_name = "shot-gain"},
                 [](double s, const Parameters& more, const Scales& scales, MeasuringChain& chain) {
                   chain.odd_shot = shot_of(more, scales);
                   chain.odd_gain = 1.0 + s;
@@ -71,14 +72,15 @@ std::vector<EffectForm> scale_faults() {
                  .smallest = 3e-05,
                  .largest = 0.1,
                  .either_sign = true,
-                 .registry_name = "force-baseline"},
+                 .registry_name = "force-drift"},
                 [](double s, const Parameters&, const Scales& scales, MeasuringChain& chain) {
                   chain.drift = in_newtons(s, scales) / scales.contact_time;
                 }),
           fault({.name = "clipping",
                  .formula = "no force above (1 - s) F_ref",
                  .smallest = 0.001,
-                 .largest = 0.5},
+                 .largest = 0.5,
+                 .registry_name = "clipping"},
                 [](double s, const Parameters&, const Scales& scales, MeasuringChain& chain) {
                   chain.clip_at = (1.0 - s) * scales.force;
                 }),
@@ -96,7 +98,8 @@ std::vector<EffectForm> added_sines() {
                  .formula = "F + s F_ref sin(2 pi f t + phase), 50 Hz to 2 kHz",
                  .smallest = 5e-05,
                  .largest = 0.05,
-                 .secondary = {{"frequency_Hz", 50.0, 2000.0}, phase}},
+                 .secondary = {{"frequency_Hz", 50.0, 2000.0}, phase},
+                 .registry_name = "hum"},
                 [](double s, const Parameters& more, const Scales& scales, MeasuringChain& chain) {
                   chain.hum = {.amplitude = in_newtons(s, scales),
                                .frequency = more.at("frequency_Hz"),
@@ -108,7 +111,8 @@ std::vector<EffectForm> added_sines() {
                  .largest = 0.15,
                  .secondary = {{"frequency_times_T", 3.0, 12.0},
                                {"tau_over_T", 0.1, 0.6},
-                               {"start_over_T", 0.01, 0.6}}},
+                               {"start_over_T", 0.01, 0.6}},
+                 .registry_name = "burst"},
                 [](double s, const Parameters& more, const Scales& scales, MeasuringChain& chain) {
                   const double T = scales.contact_time;
                   chain.burst = {.amplitude = in_newtons(s, scales),
@@ -133,7 +137,8 @@ std::vector<EffectForm> time_faults() {
   return {fault({.name = "droop",
                  .formula = "first-order high-pass of time T/s",
                  .smallest = 0.0005,
-                 .largest = 1.0},
+                 .largest = 1.0,
+                 .registry_name = "droop"},
                 [](double s, const Parameters&, const Scales& scales, MeasuringChain& chain) {
                   chain.droop_time = scales.contact_time / s;
                 }),
@@ -151,7 +156,8 @@ std::vector<EffectForm> time_faults() {
                  .formula = "reported time (1 + s) t",
                  .smallest = 0.0003,
                  .largest = 0.1,
-                 .either_sign = true},
+                 .either_sign = true,
+                 .registry_name = "time-base"},
                 [](double s, const Parameters&, const Scales&, MeasuringChain& chain) {
                   chain.time_factor = 1.0 + s;
                 }),
@@ -179,6 +185,7 @@ EffectForm one_bad_shot() {
           .smallest = 0.001,
           .largest = 0.5,
           .secondary = {which_shot},
+          .registry_name = "odd-shot",
           .apply = [](double s, const Parameters& more, const Scales& scales, HiddenWorld& world) {
             world.impact.stiffness_factors.push_back(
                 [s, bad = shot_of(more, scales)](const ShotOrder& shot) {

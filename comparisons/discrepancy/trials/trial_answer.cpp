@@ -1,0 +1,62 @@
+#include "comparisons/discrepancy/trials/trial_answer.hpp"
+
+#include <algorithm>
+
+#include "comparisons/models/effects/effect.hpp"
+
+namespace rebound {
+
+bool says_gap(const TrialAnswer& answer) {
+  return answer.verdict != "agrees" && answer.verdict != "insufficient-data" &&
+         answer.verdict != "failed";
+}
+
+std::string family_said(const TrialAnswer& answer) {
+  return answer.verdict == "measurement-fault" ? "measurement" : answer.family;
+}
+
+bool in_a_candidate(const TrialAnswer& answer, const std::string& name) {
+  return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  });
+}
+
+bool family_in_a_candidate(const TrialAnswer& answer, const std::string& family) {
+  return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return name_of(find_effect(name).card.family) == family;
+    });
+  });
+}
+
+bool name_is_said(const TrialAnswer& answer, const std::string& name) {
+  return answer.named == name || in_a_candidate(answer, name);
+}
+
+TrialAnswer answer_of_set(const std::vector<std::string>& names, const std::string& family) {
+  if (names.empty()) return {.verdict = "agrees", .family = {}, .candidates = {}, .named = {}};
+  TrialAnswer answer{.verdict = "missing", .family = family, .candidates = {names}, .named = {}};
+  const bool free_form = names.size() == 1 && find_effect(names.front()).card.is_free_form;
+  if (std::all_of(names.begin(), names.end(), is_measurement))
+    answer.verdict = "measurement-fault";
+  else if (free_form)
+    answer.verdict = "family";
+  if (names.size() == 1 && !free_form) answer.named = names.front();
+  return answer;
+}
+
+Json to_json(const TrialAnswer& answer) {
+  return {{"verdict", answer.verdict},
+          {"family", answer.family},
+          {"candidates", answer.candidates},
+          {"named", answer.named}};
+}
+
+TrialAnswer trial_answer_from(const Json& json) {
+  return {.verdict = json.at("verdict"),
+          .family = json.at("family"),
+          .candidates = json.at("candidates"),
+          .named = json.at("named")};
+}
+
+}  // namespace rebound

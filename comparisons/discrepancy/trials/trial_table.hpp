@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "comparisons/discrepancy/trials/trial_run.hpp"
+
+namespace rebound {
+
+/// All that scores are made of, as CSV: one row a trial, with truth, verdict and controls.
+///
+/// Lines that begin with '#' stand before the header: the protocols, as "# protocol DIGEST JSON".
+/// Effects of a pair are parted by '|', sets of candidates by '|' and their members by '+', the
+/// parts of a control's answer by ';'. What is absent is an empty field. Numbers are written so
+/// that they come back the same -> test TrialTableTest.ScoresComeBackFromTheTable.
+std::string table_csv(const TrialCollection& trials);
+
+/// Errors: Error(input_output_failed) for a file that cannot be read; Error(corrupt_store) with
+/// line, column name and value for what table_csv() does not write.
+TrialCollection read_trial_table(const std::filesystem::path& file);
+
+}  // namespace rebound

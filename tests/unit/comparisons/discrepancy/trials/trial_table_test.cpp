@@ -1,0 +1,96 @@
+#include "comparisons/discrepancy/trials/trial_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <tuple>
+
+#include "comparisons/discrepancy/trials/trial_text.hpp"
+#include "tests/support/refusals.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/comparisons/discrepancy/trials/trial_examples.hpp"
+
+namespace rebound {
+namespace {
+
+using testing::hidden;
+using testing::nothing_hidden;
+using testing::said;
+
+/// A null, an effect with its size, a pair, and a fault of which nothing is known.
+TrialCollection examples() {
+  TrialTruth sized = hidden(2, "memory", "relaxation", 1234.5678901234567);
+  sized.effects.front().in_registry = true;
+  sized.effects.front().registry_size = 0.1 + 0.2;
+  sized.nearest_family = 0.25;
+  TrialTruth pair = hidden(3, "rate", "linear-dashpot");
+  pair.effects.push_back(hidden(3, "out_of_family", "").effects.front());
+  TrialOutcome named = said(2, "missing", "memory", "relaxation");
+  named.size = 1.0 / 3.0;
+  named.size_low = 0.2;
+  named.size_high = 0.4;
+  named.held_out_before = 7.1;
+  named.seconds = 12.5;
+  named.controls["random"] = answer_of_set({"hum"}, "measurement");
+  TrialOutcome open = said(3, "one-of");
+  open.said.candidates = {{"linear-dashpot", "adhesion"}, {"relaxation"}};
+  TrialCollection trials =
+      testing::trials_of({said(1, "agrees"), named, open}, {nothing_hidden(1), sized, pair});
+  const Json protocol = to_json(protocol_of_this_program(3));
+  const std::string digest = protocol_digest(protocol);
+  for (TrialRecord& record : trials.records) record.outcome.protocol = digest;
+  trials.protocols[digest] = protocol;
+  return trials;
+}
+
+TEST(TrialTableTest, ScoresComeBackFromTheTable) {
+  const testing::TemporaryFolder folder;
+  const TrialCollection trials = examples();
+  const TrialCollection again = read_trial_table(folder.write("t.csv", table_csv(trials)));
+  EXPECT_EQ(table_csv(again), table_csv(trials));
+  EXPECT_EQ(dump(to_json(score_trials(again))), dump(to_json(score_trials(trials))));
+  ASSERT_EQ(again.records.size(), 3u);
+  EXPECT_EQ(*again.records[1].truth.effects.front().registry_size, 0.1 + 0.2);
+  EXPECT_EQ(again.records[2].outcome.said.candidates, trials.records[2].outcome.said.candidates);
+  EXPECT_EQ(again.records[1].truth.nearest_family, 0.25);
+  EXPECT_FALSE(again.records[1].truth.nearest_name.has_value());
+  EXPECT_FALSE(again.records[1].outcome.held_out_after.has_value());
+  EXPECT_EQ(again.records[1].outcome.controls.at("random").named, "hum");
+}
+
+TEST(TrialTableTest, AChangedTableIsRefusedWithItsLine) {
+  const testing::TemporaryFolder folder;
+  const std::string text = table_csv(examples());
+  const auto refused = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    const auto at = changed.find(from);
+    if (at == std::string::npos) throw std::runtime_error("not in the table: " + from);
+    changed.replace(at, from.size(), to);
+    return testing::refusal_of([&] { read_trial_table(folder.write("t.csv", changed)); });
+  };
+  const Error number = refused("1234.5678901234567", "many");
+  EXPECT_EQ(number.code(), ExitCode::corrupt_store);
+  EXPECT_EQ(number.location().line, 4);
+  EXPECT_EQ(number.location().key, "visible_chi_square");
+  EXPECT_EQ(number.location().value, "many");
+  EXPECT_EQ(refused("hidden_form", "form").location().line, 2);
+  EXPECT_EQ(refused("\"close_criterion\":6", "\"close_criterion\":7").location().line, 1);
+  EXPECT_EQ(refused("example,7,1,", "example,7,1").location().line, 3);
+  EXPECT_EQ(testing::refusal_of([&] { read_trial_table(folder.path() / "none.csv"); }).code(),
+            ExitCode::input_output_failed);
+}
+
+// The table that the README quotes: of one protocol, every trial once, and as this version reads
+// it.
+TEST(StoredTrialsTest, CanBeScoredAgain) {
+  const TrialCollection stored = read_trial_table(STORED_TRIALS);
+  std::set<std::tuple<std::string, std::uint64_t, int>> known;
+  for (const TrialRecord& record : stored.records)
+    EXPECT_TRUE(known.emplace(record.truth.set, record.truth.seed, record.truth.trial).second)
+        << "trial " << record.truth.trial;
+  EXPECT_EQ(stored.protocols.size(), 1u);
+  EXPECT_EQ(score_trials(stored).trials, static_cast<int>(stored.records.size()));
+}
+
+}  // namespace
+}  // namespace rebound
