@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -179,6 +180,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
     withhold_what_repetition_denies(d, request.rules);
   }
+  find_nearest_formulas(d);
   show_missing_force(d);
   return d;
 }

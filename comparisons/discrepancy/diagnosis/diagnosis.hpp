@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
@@ -70,6 +71,8 @@ struct Diagnosis {
   std::vector<std::string> warnings;
   std::vector<NextExperiment> next;
   std::vector<FactorBand> curves;  ///< of a family that has no formula here
+  /// Of that family: formulas that come nearest, with the share of the gap each explains.
+  std::vector<ExplainedShare> nearest;
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;

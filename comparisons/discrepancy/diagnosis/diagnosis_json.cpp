@@ -96,7 +96,9 @@ std::string text_of(const std::optional<double>& value) {
 Json to_json(const Diagnosis& d) {
   Json effects = Json::array(), excluded = Json::array(), next = Json::array(),
        where = Json::array();
-  Json curves = Json::array();
+  Json curves = Json::array(), nearest = Json::array();
+  for (const ExplainedShare& one : d.nearest)
+    nearest.push_back({{"name", one.effects.front()}, {"share_explained", one.share}});
   for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
   for (const FactorBand& band : d.curves)
     curves.push_back({{"of", band.of},
@@ -131,6 +133,7 @@ Json to_json(const Diagnosis& d) {
           {"form", form_of(d)},
           {"curve", curves.empty() ? Json(nullptr) : curves.front()},
           {"curves", curves},
+          {"nearest_formulas", nearest},
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
           {"missing_force", missing_force_json(d)},
           {"effects", effects},
@@ -227,6 +230,9 @@ std::string to_text(const Diagnosis& d) {
   if (d.held_out_speed)
     text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
                         text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  for (const ExplainedShare& one : d.nearest)
+    text += fmt::format("nearest   {} explains {:.0f} % of the gap by itself\n",
+                        one.effects.front(), 100.0 * one.share);
   if (d.bootstrap.draws > 0) {
     text +=
         fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);

@@ -159,6 +159,10 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
   if (d.seen) section.blocks.push_back(report::Paragraph{gap_sentence(d)});
   if (!d.withheld.empty())
     section.blocks.push_back(report::Paragraph{"No name: " + d.withheld + "."});
+  for (const ExplainedShare& one : d.nearest)
+    section.blocks.push_back(report::Paragraph{fmt::format(
+        "The nearest formula of this family: {} explains {:.0f} % of the gap by itself.",
+        one.effects.front(), 100.0 * one.share)});
   for (const auto& needed : d.needed)
     section.blocks.push_back(report::Paragraph{"Needed: " + needed + "."});
   if (!d.next.empty()) section.blocks.push_back(next_table(d));
