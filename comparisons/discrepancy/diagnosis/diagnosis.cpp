@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/observe.hpp"
@@ -139,6 +140,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.seed = request.seed;
   const Observations all = observe(request.datasets);
   d.warnings = all.warnings;
+  d.checks = check_data(all);
+  d.contradictions = contradictions_among(d.checks);
   std::vector<bool> left_out(all.shots.size(), false);
   if (request.hold_out)
     if (const auto cluster = choose_held_out(all, request.held_out_speed)) {
@@ -166,6 +169,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();
   if (d.held_out_speed) predict_held_out(d);
   withhold_what_the_unseen_speed_denies(d);
+  withhold_names_from_contradictions(d, all);
   return d;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
@@ -66,6 +67,8 @@ struct Diagnosis {
   std::string fault;  ///< empty: none suspected
   std::vector<std::string> needed;
   std::vector<std::string> warnings;
+  std::vector<DataCheck> checks;          ///< the data against themselves, before any model
+  std::vector<DataCheck> contradictions;  ///< of these, the plain ones, largest first
   std::vector<NextExperiment> next;
   std::vector<FactorBand> curves;  ///< of a family that has no formula here
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
@@ -95,7 +98,7 @@ struct Diagnosis {
 
 /// Runs the workflow.
 ///
-///   1 noise and uncertainties from the data set, or a warning
+///   1 noise and uncertainties from the data set, or a warning; the data against themselves
 ///   2 the believed model fitted jointly to all speeds but one
 ///   3 a damping formula that does not return the restitution it was given
 ///     contradicts the model's own input: it is set right before anything is

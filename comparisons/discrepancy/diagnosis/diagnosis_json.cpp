@@ -54,6 +54,24 @@ Json form_of(const Diagnosis& d) {
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
 }
 
+Json check_json(const DataCheck& check) {
+  return {{"what", check.what},
+          {"of", check.of},
+          {"measured", check.measured},
+          {"expected", check.expected},
+          {"error", check.error},
+          {"unit", or_one(check.unit)},
+          {"deviations", check.deviations()},
+          {"compared_only", check.compared_only},
+          {"mended_by", check.mended_by}};
+}
+
+Json checks_json(const std::vector<DataCheck>& checks) {
+  Json list = Json::array();
+  for (const DataCheck& check : checks) list.push_back(check_json(check));
+  return list;
+}
+
 std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
@@ -87,6 +105,8 @@ Json to_json(const Diagnosis& d) {
           {"curve", curves.empty() ? Json(nullptr) : curves.front()},
           {"curves", curves},
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
+          {"contradictions", checks_json(d.contradictions)},
+          {"checks", checks_json(d.checks)},
           {"effects", effects},
           {"candidates", d.candidates},
           {"excluded_above", excluded},
@@ -153,7 +173,14 @@ std::string headline(const Diagnosis& d) {
 }
 
 std::string to_text(const Diagnosis& d) {
-  std::string text = "VERDICT   " + headline(d) + "\n";
+  std::string text;
+  for (const DataCheck& one : d.contradictions)
+    text += fmt::format(
+        "data      {} of {}: {:.4g} {}where {:.4g} is expected, {:+.1f} deviations; "
+        "mended by {}\n",
+        one.what, one.of, one.measured, one.unit.empty() ? "" : one.unit + " ", one.expected,
+        one.deviations(), one.mended_by);
+  text += "VERDICT   " + headline(d) + "\n";
   if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
   if (d.gap.before)
     text +=

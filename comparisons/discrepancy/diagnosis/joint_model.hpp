@@ -86,6 +86,13 @@ class JointModel {
   /// The reported force of a shot at given instants of its clock.
   std::vector<double> force_at(const std::vector<double>& values, std::size_t shot,
                                const std::vector<double>& time) const;
+  /// The reported deflection of a shot, of an instrument of its own.
+  std::vector<double> deflection_at(const std::vector<double>& values, std::size_t shot,
+                                    const std::vector<double>& time) const;
+  /// A shot as it would have been seen, without noise: its record and the scalars it states.
+  MeasuredImpact as_seen(const std::vector<double>& values, std::size_t shot) const;
+  /// These values with nothing wrong in what only priors hold: gain, zero, speeds, mass.
+  std::vector<double> without_nuisances(std::vector<double> values) const;
   /// First touch of a shot by its own clock [s]; zero without a history.
   double first_touch(const std::vector<double>& values, std::size_t shot) const;
   const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
@@ -119,6 +126,7 @@ class JointModel {
   const std::vector<double>& block_of(const std::vector<double>& values, std::size_t shot) const;
   std::vector<double> block_at(const std::vector<double>& values, std::size_t shot) const;
 
+  void add_rows();
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();

@@ -145,6 +145,8 @@ void locate(Diagnosis& d) {
   });
 }
 
+}  // namespace
+
 void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   d.verdict = weaker;
   d.withheld = why;
@@ -155,8 +157,6 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   for (std::size_t k = d.believed_effects; k < baseline.effects.size(); ++k)
     d.effects.push_back(named_effect(baseline, k));
 }
-
-}  // namespace
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
   withdraw_what_cannot_fail(d, rules);

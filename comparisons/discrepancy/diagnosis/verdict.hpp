@@ -16,6 +16,9 @@ namespace rebound {
 ///   unexplained        no candidate
 void conclude(Diagnosis& diagnosis, const SelectionRules& rules);
 
+/// Puts a weaker verdict in the place of a name, with the reason in words.
+void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& why);
+
 /// What the speed that was kept from every fit says of a verdict that names something, once it
 /// has been predicted before and after.
 ///

@@ -20,8 +20,9 @@ struct Ball {
 /// with an uncertainty.
 struct Observations {
   std::vector<Ball> balls;
-  std::vector<MeasuredImpact> shots;  ///< labels: no two are alike
-  double gain_uncertainty = 0.0;      ///< of the force scale, one standard deviation [-]
+  std::vector<MeasuredImpact> shots;         ///< labels: no two are alike
+  double gain_uncertainty = 0.0;             ///< of the force scale, one standard deviation [-]
+  double deflection_gain_uncertainty = 0.0;  ///< of that of independent deflections [-]
   /// Independent samples that told the size or the colour of the noise; 0: it is known.
   double noise_freedom = 0.0;
   std::string noise_from;             ///< in words, e.g. "stated by the data set"
