@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/error.hpp"
@@ -151,7 +152,9 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   std::vector<bool> fitted = left_out;
   fitted.flip();
   d.seen = std::make_shared<const Observations>(subset(all, fitted));
-  d.unseen = std::make_shared<const Observations>(subset(all, left_out));
+  Observations unseen = subset(all, left_out);
+  unseen.compressions.clear();  // the fit has seen them
+  d.unseen = std::make_shared<const Observations>(std::move(unseen));
   if (!d.held_out_speed && request.hold_out)
     d.warnings.push_back(
         "fewer than three speeds: none could be left out to test the extended model");
@@ -164,6 +167,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (!d.needed.empty()) return d;
 
   search(d, request, baseline, all, control);
+  for (const DataCheck& one : compare_slow_tests(*d.seen, d.believed.fit)) d.checks.push_back(one);
   conclude(d, request.rules);
   d.gap.before = d.believed.fit.reduced_chi_square();
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();

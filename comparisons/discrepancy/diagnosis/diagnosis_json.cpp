@@ -54,6 +54,11 @@ Json form_of(const Diagnosis& d) {
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
 }
 
+/// Of a slow compression: zero.
+double speed_of(const Diagnosis& d, const MapCell& cell) {
+  return cell.shot < d.seen->shots.size() ? d.seen->shots[cell.shot].impact.speed : 0.0;
+}
+
 Json check_json(const DataCheck& check) {
   return {{"what", check.what},
           {"of", check.of},
@@ -94,7 +99,7 @@ Json to_json(const Diagnosis& d) {
   for (const auto& e : d.next)
     next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
   for (const auto& cell : d.where)
-    where.push_back({{"speed_m_s", d.seen->shots[cell.shot].impact.speed},
+    where.push_back({{"speed_m_s", speed_of(d, cell)},
                      {"phase", name_of(cell.phase)},
                      {"observable", name_of(cell.what)},
                      {"z", cell.z}});
@@ -180,6 +185,10 @@ std::string to_text(const Diagnosis& d) {
         "mended by {}\n",
         one.what, one.of, one.measured, one.unit.empty() ? "" : one.unit + " ", one.expected,
         one.deviations(), one.mended_by);
+  for (const DataCheck& one : d.checks)
+    if (one.compared_only && !one.mended_by.empty())
+      text += fmt::format("beside    {} of {}: {:.3g} ± {:.2g} of the impacts': {}\n", one.what,
+                          one.of, one.measured, one.error, one.mended_by);
   text += "VERDICT   " + headline(d) + "\n";
   if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
   if (d.gap.before)
@@ -190,9 +199,8 @@ std::string to_text(const Diagnosis& d) {
                         text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
   for (const auto& cell : d.where) {
     if (&cell - d.where.data() >= 5) break;
-    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n",
-                        d.seen->shots[cell.shot].impact.speed, name_of(cell.phase),
-                        name_of(cell.what), cell.z);
+    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n", speed_of(d, cell),
+                        name_of(cell.phase), name_of(cell.what), cell.z);
   }
   if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);
   for (const auto& needed : d.needed) text += fmt::format("needed    {}\n", needed);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
@@ -162,6 +164,15 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
                     "Found without any model of the contact. Deviations are in standard deviations "
                     "of the difference, all stated uncertainties in it.",
                     d.contradictions));
+  std::vector<DataCheck> beside;
+  std::copy_if(d.checks.begin(), d.checks.end(), std::back_inserter(beside),
+               [](const DataCheck& one) { return one.compared_only; });
+  if (!beside.empty())
+    section.blocks.push_back(
+        check_table("Measured beside the impacts",
+                    "Slow compressions, block moduli and pooled peaks over what the believed model "
+                    "gives, fitted to the impacts. A difference is no fault of the data.",
+                    beside));
   if (d.seen) section.blocks.push_back(report::Paragraph{gap_sentence(d)});
   if (!d.withheld.empty())
     section.blocks.push_back(report::Paragraph{"No name: " + d.withheld + "."});

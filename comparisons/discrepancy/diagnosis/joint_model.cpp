@@ -52,6 +52,7 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
       first_of_group_(shots_that_share(seen, hypothesis.believed)),
       pairs_(seen.shots.size()) {
   add_rows();
+  add_slow_factors();
   nuisances_.add_stated(seen, unknowns_);
   add_shots();
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/prepare_histories.hpp"
+#include "comparisons/discrepancy/diagnosis/slow_compressions.hpp"
 
 namespace rebound {
 namespace {
@@ -116,6 +117,7 @@ Observations observe(const std::vector<Dataset>& datasets) {
       add_shot(dataset, shot, ball, seen);
     }
     prepare_histories(dataset, first, seen);
+    add_slow_tests(dataset, ball, seen);
     const auto& gain = dataset.instrument.force_gain_uncertainty;
     const bool has_force = std::any_of(dataset.shots.begin(), dataset.shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });

@@ -47,9 +47,10 @@ struct BlockTest {
 /// An order of magnitude, never a measurement of one ball: kept apart from the
 /// shots so that nothing can be fitted to it by mistake.
 struct PooledPeak {
-  double speed = 0.0;       ///< [m/s]
-  double force = 0.0;       ///< [N]
-  double deflection = 0.0;  ///< [m]
+  double speed = 0.0;             ///< [m/s]
+  double force = 0.0;             ///< [N]
+  double deflection = 0.0;        ///< [m]
+  std::optional<double> scatter;  ///< relative, of balls and readings, one σ [-]
 };
 
 /// A ball, an instrument and what was seen with it.

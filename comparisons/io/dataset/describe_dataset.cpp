@@ -185,6 +185,11 @@ void describe(Visitor& visit, PooledPeak& peak) {
                 .unit = "mm",
                 .range = above(0.0)},
                peak.deflection);
+  visit.number({.name = "scatter",
+                .sentence = "Relative scatter of both, one standard deviation.",
+                .presence = optional,
+                .range = above_up_to(0.0, 10.0)},
+               peak.scatter);
 }
 
 void describe(Visitor& visit, Dataset& dataset) {
