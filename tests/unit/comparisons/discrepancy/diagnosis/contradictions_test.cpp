@@ -59,6 +59,22 @@ TEST(ContradictionsTest, AFaultInTheModelExplainsThem) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::missing);
 }
 
+// The load cell reads less than the contact while the plate is set in motion.
+TEST(ContradictionsTest, APlateThatMovesExplainsItsOwn) {
+  const EffectCard& card = find_effect("plate-compliance").card;
+  const EffectChoice plate{card.name, card.prior_scale, {}};
+  for (int seed = 4; seed <= 6; ++seed) {
+    SynthesisFile file = testing::experiment_with({plate}, seed);
+    file.instrument.deflection = DeflectionOrigin::independent;
+    file.instrument.deflection_noise = 2e-5;
+    for (SynthesisShot& shot : file.shots) shot.restitution_uncertainty = 0.01;
+    const Observations all = observe({synthesize(file, simulator_of(file, {})).dataset});
+    const Diagnosis d = named_by(all, {plate});
+    EXPECT_FALSE(d.contradictions.empty());
+    EXPECT_TRUE(unexplained_contradictions(d, all).empty());
+  }
+}
+
 TEST(ContradictionsTest, StandInResultAndText) {
   const Observations all = observe({with_a_wrong_gain(3)});
   const Diagnosis d = named_by(all, {});
