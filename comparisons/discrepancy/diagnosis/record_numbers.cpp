@@ -107,10 +107,10 @@ ContactTime contact_time_of(const Trace& trace, const Levels& levels) {
   return {read + 0.5 * (least + most), 0.5 * (most - least)};
 }
 
-/// Newton's law between force and deflection: [s, b], offset and speed found with it.
+/// Newton's law between force and deflection: [s, b], offset and speed found with it. Where the
+/// force is well in contact: a plate that rings moves the ends of a wider stretch to and fro.
 std::array<double, 2> newton(const Trace& trace, double mass) {
-  const double level =
-      clearly_in_contact * *std::max_element(trace.force.begin(), trace.force.end());
+  const double level = well_in_contact * *std::max_element(trace.force.begin(), trace.force.end());
   const SampleRange contact = contact_window(trace.force, level);
   std::vector<Eigen::Vector3d> rows;
   std::vector<double> x;
