@@ -8,8 +8,10 @@ namespace rebound {
 ///
 /// The model's own records, without noise and with nothing wrong in gain, mass and speeds, go
 /// through the same checks with the same errors: a plate on its load cell moves impulse and energy
-/// by what it takes, and a fault that the model holds explains what it does. What is left beyond
-/// the limit is explained by nothing. Limit:  a model without faults shows none itself
+/// by what it takes, and a fault that the model holds explains what it does. A contradiction is
+/// left where it differs by more than the limit and a quarter of what is explained.
+///
+/// Limit:  a model without faults explains none
 ///         -> test ContradictionsTest.AModelWithoutAFaultExplainsNone.
 /// Errors: as JointModel.
 std::vector<DataCheck> unexplained_contradictions(const Diagnosis& diagnosis,
