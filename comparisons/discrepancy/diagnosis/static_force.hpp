@@ -15,8 +15,10 @@ namespace rebound {
 ///
 /// Damping does not act, nor does inertia. A stiffness that follows the impact speed is taken at
 /// the reference speed: a power of the speed says nothing of a test a hundred thousand times
-/// slower. Valid:   rigid platens; the finite sphere's compliance and a pull are left out. Limit:
-/// T ≫ τ is the relaxed force, T ≪ τ the instantaneous one
+/// slower.
+///
+/// Valid:   rigid platens; the finite sphere's compliance and a pull are left out.
+/// Limit:   T ≫ τ is the relaxed force, T ≪ τ the instantaneous one
 ///          -> test StaticForceTest.RelaxesFromInstantaneousToRelaxed.
 /// Errors:  Error(bad_input) as make_law() and ElasticForce.
 /// Source:  Maxwell branch under a force that grows evenly.

@@ -17,9 +17,9 @@ namespace rebound {
 ///   x      before first touch and after separation that of a ball in free flight, with the
 ///          slopes of the trace at its ends [m]
 ///
-/// Error: cubic between the samples of the trace -> test
-/// ReportedDeflectionTest.BetweenSamplesItIsCubic. Limit: an ideal chain returns the trace at its
-/// own instants, and straight lines outside
+/// Error: cubic between the samples of the trace
+///        -> test ReportedDeflectionTest.BetweenSamplesItIsCubic.
+/// Limit: an ideal chain returns the trace at its own instants, and straight lines outside
 ///        -> test ReportedDeflectionTest.IdealChainChangesNothing.
 /// Caution: filters of the force channel are not in the deflection's.
 /// Errors: Error(bad_input) for a trace of fewer than two samples, or a chain out of its limits.
