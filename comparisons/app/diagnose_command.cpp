@@ -25,6 +25,7 @@ struct DiagnoseOptions {
   std::string mesh;
   std::uint64_t seed = 1;
   bool fail_on_gap = false;
+  bool no_bootstrap = false;
 };
 
 std::string diagnose_help() {
@@ -59,6 +60,7 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
   request.believed = believed.model;
   request.believed_effects = believed.effects;
   request.seed = options.seed;
+  if (options.no_bootstrap) request.rules.bootstrap_draws = 0;
   if (!options.mesh.empty()) {
     request.mesh_file = std::filesystem::absolute(options.mesh).string();
     for (const Dataset& dataset : request.datasets)  // refused before anything is fitted
@@ -135,6 +137,8 @@ Action declare_diagnose(CLI::App& command) {
                      "A mesh of your own (.msh, .geo, .step) where FE is asked: it and its "
                      "refinement, instead of 500 and 1000 cells");
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
+  command.add_flag("--no-bootstrap", options->no_bootstrap,
+                   "Do not repeat the choice between candidates on data drawn anew");
   command.add_flag("--fail-on-gap", options->fail_on_gap, "Exit 1 when model and data disagree");
   command.footer(diagnose_help);
   return [options](const Session& session) { return run_diagnose(session, *options); };

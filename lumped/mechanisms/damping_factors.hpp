@@ -11,7 +11,7 @@ namespace rebound {
 
 /// Damping force of a law with its factors, and a linear dashpot beside it.
 ///
-///   F_d (x/x_r)^a |ẋ/v_r|^b · curve(x/R) · curve(|ẋ|) + c ẋ,   two curves over x/R
+///   F_d (x/x_r)^a |ẋ/v_r|^b · curve(√(x/R)) · curve(x/R) · curve(|ẋ|) + c ẋ
 ///
 ///   x, ẋ   deflection [m] and its rate [m/s] as the law sees them
 ///   c      dashpot [N s/m]
@@ -36,7 +36,8 @@ double damping_force(const Law& law, const DampingFactors& factors, double radiu
   if (factors.velocity_exponent != 0.0)
     force *=
         rate == 0.0 ? 0.0 : std::pow(std::abs(rate) / reference_speed, factors.velocity_exponent);
-  force *= curve_factor(factors.deflection_curve, std::abs(x) / radius) *
+  // Over the root: what differs from a law's damping does so most at first touch.
+  force *= curve_factor(factors.deflection_curve, std::sqrt(std::abs(x) / radius)) *
            curve_factor(factors.elastic_curve, std::abs(x) / radius) *
            curve_factor(factors.rate_curve, std::abs(rate));
   return force + factors.dashpot * rate;

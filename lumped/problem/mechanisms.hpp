@@ -48,7 +48,7 @@ struct DampingFactors {
   double exponent = 0.0;           ///< a in (x/x_r)^a [-]
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
-  FactorCurve deflection_curve{};  ///< over x/R
+  FactorCurve deflection_curve{};  ///< over √(x/R)
   FactorCurve elastic_curve{};  ///< over x/R, as far as damping follows that of the elastic force
   FactorCurve rate_curve{};     ///< over |ẋ| [m/s]
 

@@ -174,6 +174,10 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (d.held_out_speed) predict_held_out(d);
   withhold_what_the_unseen_speed_denies(d);
   withhold_names_from_contradictions(d, all);
+  if (!d.selection.indistinguishable.empty()) {
+    d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
+    withhold_what_repetition_denies(d, request.rules);
+  }
   return d;
 }
 

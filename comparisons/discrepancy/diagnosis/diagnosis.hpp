@@ -11,6 +11,7 @@
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
+#include "comparisons/discrepancy/diagnosis/selection_bootstrap.hpp"
 #include "comparisons/io/dataset/dataset.hpp"
 
 /// Where a believed model and data disagree, and which named effect is missing.
@@ -80,7 +81,8 @@ struct Diagnosis {
 
   std::shared_ptr<const Observations> seen, unseen;  ///< fits point into them
   AssessedFit believed;                              ///< the model as it came, refitted
-  EffectSelection selection;  ///< from there on, or from the model made consistent with itself
+  EffectSelection selection;     ///< from there on, or from the model made consistent with itself
+  SelectionBootstrap bootstrap;  ///< of the choice between its candidates, where there are some
   /// FE minus lumped, where the data were explained with it only.
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
   std::optional<HeldOutGap> unseen_before, unseen_after;
@@ -107,7 +109,7 @@ struct Diagnosis {
 ///   5 where that explains nothing: again with what FE adds to the believed
 ///     model taken into account (measure_model_discrepancy)
 ///   6 prediction of the speed that was left out, before and after
-///   7 verdict
+///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection)
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the
 ///         data; Error(interrupted).

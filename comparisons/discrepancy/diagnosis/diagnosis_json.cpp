@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -47,6 +48,14 @@ Json excluded_json(const ExcludedSize& excluded) {
           {"size", excluded.size},
           {"unit", or_one(size_unit(card))},
           {"over", over}};
+}
+
+Json bootstrap_json(const SelectionBootstrap& bootstrap) {
+  if (bootstrap.draws == 0) return nullptr;
+  Json chosen = Json::array();
+  for (const SelectionFrequency& one : bootstrap.chosen)
+    chosen.push_back({{"effects", one.effects}, {"share", one.share}});
+  return {{"draws", bootstrap.draws}, {"chosen", chosen}};
 }
 
 Json form_of(const Diagnosis& d) {
@@ -98,6 +107,18 @@ Json to_json(const Diagnosis& d) {
   for (const auto& e : d.excluded) excluded.push_back(excluded_json(e));
   for (const auto& e : d.next)
     next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
+  Json shots = Json::array();
+  const auto add_shots = [&](const Observations& seen, const std::vector<ShotGap>& gaps,
+                             bool fitted) {
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      shots.push_back({{"shot", seen.shots[i].number},
+                       {"label", seen.shots[i].label},
+                       {"speed_m_s", seen.shots[i].impact.speed},
+                       {"fitted", fitted},
+                       {"reduced_chi_square", gaps[i].reduced_chi_square}});
+  };
+  if (d.gap.before) add_shots(*d.seen, gaps_of_shots(d.believed.fit), true);
+  if (d.unseen_before) add_shots(*d.unseen, d.unseen_before->of_shots, false);
   for (const auto& cell : d.where)
     where.push_back({{"speed_m_s", speed_of(d, cell)},
                      {"phase", name_of(cell.phase)},
@@ -114,6 +135,7 @@ Json to_json(const Diagnosis& d) {
           {"checks", checks_json(d.checks)},
           {"effects", effects},
           {"candidates", d.candidates},
+          {"bootstrap", bootstrap_json(d.bootstrap)},
           {"excluded_above", excluded},
           {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
           {"needed", d.needed},
@@ -126,6 +148,7 @@ Json to_json(const Diagnosis& d) {
             {"held_out_before", number_or_null(d.gap.held_out_before)},
             {"held_out_after", number_or_null(d.gap.held_out_after)},
             {"held_out_noise", d.gap.held_out_noise}}},
+          {"gap_of_shots", shots},
           {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
           {"noise_from", d.seen ? d.seen->noise_from : ""},
           {"extended_model", nullptr},
@@ -197,6 +220,16 @@ std::string to_text(const Diagnosis& d) {
   if (d.held_out_speed)
     text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
                         text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  if (d.bootstrap.draws > 0) {
+    text +=
+        fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);
+    for (const SelectionFrequency& one : d.bootstrap.chosen)
+      text += fmt::format(
+          "{} {} {:.0f} %", &one == d.bootstrap.chosen.data() ? "" : ",",
+          one.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(one.effects, " + ")),
+          100.0 * one.share);
+    text += "\n";
+  }
   for (const auto& cell : d.where) {
     if (&cell - d.where.data() >= 5) break;
     text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n", speed_of(d, cell),

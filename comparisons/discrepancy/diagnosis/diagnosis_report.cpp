@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,23 @@ report::Table check_table(const std::string& title, const std::string& caption,
   return table;
 }
 
+report::Table bootstrap_table(const SelectionBootstrap& bootstrap) {
+  report::Table table{
+      .title = "Chosen again",
+      .caption =
+          fmt::format("How often each set is the choice when the measurement is repeated with "
+                      "other noise: {} draws from the best candidate, to first order.",
+                      bootstrap.draws),
+      .columns = {{"set", "", Kind::text, {}}, {"share", "%", Kind::number, Origin::derived}},
+      .rows = {}};
+  for (const SelectionFrequency& one : bootstrap.chosen)
+    table.rows.push_back(
+        {text_cell(one.effects.empty() ? "no effect"
+                                       : fmt::format("{}", fmt::join(one.effects, " + "))),
+         number_cell(100.0 * one.share, 3)});
+  return table;
+}
+
 report::Table next_table(const Diagnosis& d) {
   report::Table table{.title = "Measure next",
                       .caption =
@@ -188,6 +206,7 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
     section.blocks.push_back(map_matrix(d));
     add_pictures(d, section);
     if (!d.selection.tried.empty()) section.blocks.push_back(candidate_table(d));
+    if (d.bootstrap.draws > 0) section.blocks.push_back(bootstrap_table(d.bootstrap));
     if (!d.excluded.empty()) section.blocks.push_back(excluded_table(d));
     if (!d.selection.cosines.names.empty()) details.blocks.push_back(cosine_matrix(d));
   }

@@ -92,7 +92,28 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   return fit;
 }
 
+std::vector<ShotGap> shot_by_shot(const JointModel& model, const std::vector<double>& residuals) {
+  std::vector<ShotGap> gaps;
+  for (std::size_t i = 0; i < model.rows().size(); ++i) {
+    gaps.resize(std::max(gaps.size(), model.rows()[i].shot + 1));
+    ShotGap& gap = gaps[model.rows()[i].shot];
+    ++gap.rows;
+    gap.reduced_chi_square += residuals[i] * residuals[i];
+  }
+  for (ShotGap& gap : gaps)
+    if (gap.rows > 0) gap.reduced_chi_square /= gap.rows;
+  return gaps;
+}
+
 }  // namespace
+
+double ShotGap::deviation() const {
+  return rows > 0 ? std::sqrt(2.0 / rows) : 0.0;
+}
+
+std::vector<ShotGap> gaps_of_shots(const HypothesisFit& fit) {
+  return shot_by_shot(*fit.model, fit.residuals);
+}
 
 std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model) {
   std::map<std::string, double> fitted;
@@ -167,6 +188,7 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   gap.deviation = std::sqrt(2.0 / static_cast<double>(data));
   for (std::size_t i = 0; i < data; ++i)
     gap.reduced_chi_square += residuals[i] * residuals[i] / static_cast<double>(data);
+  gap.of_shots = shot_by_shot(model, residuals);
   for (std::size_t i = 0; i < unseen.shots.size(); ++i)
     gap.force.push_back(unseen.shots[i].has_history()
                             ? model.force_at(values, i, unseen.shots[i].trace.time)

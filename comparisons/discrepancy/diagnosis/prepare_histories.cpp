@@ -85,12 +85,28 @@ void count_rounding(MeasuredImpact& shot, double rounding, Observations& seen) {
   if (shot.noise.deviation > 0.0) shot.noise.deviation = std::hypot(shot.noise.deviation, rounding);
 }
 
-Record prepare_record(std::size_t index, std::size_t samples, Observations& seen) {
+double interval_of(const Trace& trace) {
+  return (trace.time.back() - trace.time.front()) / static_cast<double>(trace.time.size() - 1);
+}
+
+/// Interval between samples that leaves so many of a contact, on average over these shots [s]. One
+/// for all: noise has another colour where it is averaged over more samples.
+double coarse_interval(const Observations& seen, const std::vector<std::size_t>& shots,
+                       std::size_t samples) {
+  double contacts = 0.0;
+  for (const std::size_t i : shots) {
+    const Trace& trace = seen.shots[i].trace;
+    contacts += static_cast<double>(window_of(trace.force).count()) * interval_of(trace);
+  }
+  return contacts / static_cast<double>(samples * shots.size());
+}
+
+Record prepare_record(std::size_t index, double interval, Observations& seen) {
   MeasuredImpact& shot = seen.shots[index];
   const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
   count_rounding(shot, rounding, seen);
-  const std::size_t block = window_of(shot.trace.force).count() / samples;
-  average(shot, block);
+  constexpr double rounded = 1e-6;  // two intervals of 10 us are 20 us
+  average(shot, static_cast<std::size_t>(interval / interval_of(shot.trace) + rounded));
   Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .rounding = rounding};
   shot.trace = {};
   record.contact = window_of(record.trace.force);
@@ -192,17 +208,19 @@ void keep_contact(const Record& record, MeasuredImpact& shot) {
 void prepare_histories(const Dataset& dataset, std::size_t first, Observations& seen) {
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     if (seen.shots[i].has_history()) keep_whole_impact(seen.shots[i], seen.warnings);
-  std::size_t histories = 0;
+  std::vector<std::size_t> histories;
   for (std::size_t i = first; i < seen.shots.size(); ++i)
-    histories += seen.shots[i].has_history() ? 1 : 0;
-  const std::size_t samples = std::clamp(most_samples_in_all / std::max<std::size_t>(1, histories),
-                                         fewest_samples, most_samples);
+    if (seen.shots[i].has_history()) histories.push_back(i);
+  if (histories.empty()) return;
+  const std::size_t samples =
+      std::clamp(most_samples_in_all / histories.size(), fewest_samples, most_samples);
+  const double interval = coarse_interval(seen, histories, samples);
   std::vector<Record> records;
-  for (std::size_t i = first; i < seen.shots.size(); ++i)
-    if (seen.shots[i].has_history()) records.push_back(prepare_record(i, samples, seen));
-  if (records.empty()) return;
+  records.reserve(histories.size());
+  for (const std::size_t i : histories) records.push_back(prepare_record(i, interval, seen));
   settle_noise(dataset.name, records, seen);
   std::vector<WholeRecord> whole;
+  whole.reserve(records.size());
   for (const Record& record : records) whole.push_back({record.shot, &record.trace});
   settle_deflections(dataset, whole, seen);
   for (const Record& record : records) {

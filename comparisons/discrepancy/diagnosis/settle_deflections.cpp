@@ -71,6 +71,7 @@ void settle_deflections(const Dataset& dataset, const std::vector<WholeRecord>& 
         "not used");
 
   std::vector<std::vector<double>> scatter;
+  scatter.reserve(records.size());
   for (const WholeRecord& one : records) scatter.push_back(scatter_before_contact(*one.trace));
   const EstimatedNoise noise = estimate_noise({scatter.begin(), scatter.end()});
   const bool enough = noise.samples >= fewest_in_all && noise.deviation > 0.0;

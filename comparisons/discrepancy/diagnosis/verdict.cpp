@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
@@ -158,6 +159,37 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
     d.effects.push_back(named_effect(baseline, k));
 }
 
+namespace {
+
+/// Is a gap at the unseen speed no chance, and large enough to contradict "agrees"?
+bool is_plain(double reduced_chi_square, double deviation) {
+  constexpr double plain = 0.5, noise_deviations = 6.0;
+  return reduced_chi_square - 1.0 > std::max(plain, noise_deviations * deviation);
+}
+
+/// The one of several shots that stands apart while the others are within the noise.
+std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps) {
+  std::optional<std::size_t> odd;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (!is_plain(gaps[i].reduced_chi_square, gaps[i].deviation())) continue;
+    if (odd) return std::nullopt;
+    odd = i;
+  }
+  return gaps.size() > 1 ? odd : std::nullopt;
+}
+
+/// A shot that contradicts its own repeats is a fault of that shot.
+void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
+  d.verdict = DiagnosisVerdict::measurement_fault;
+  d.family = EffectFamily::measurement;
+  d.candidates = {{"odd-shot"}};
+  d.fault = fmt::format("odd-shot (shot {}, {}), which contradicts its own repeats", shot.number,
+                        shot.label);
+  d.excluded.clear();
+}
+
+}  // namespace
+
 void conclude(Diagnosis& d, const SelectionRules& rules) {
   withdraw_what_cannot_fail(d, rules);
   drop_sets_with_idle_members(d);
@@ -181,9 +213,9 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
 
 void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
-    constexpr double plain = 0.5, noise_deviations = 6.0;
-    const double over = *d.gap.held_out_before - 1.0;
-    if (over > std::max(plain, noise_deviations * d.gap.held_out_noise))
+    if (const auto odd = odd_one_of(d.unseen_before->of_shots))
+      suspect_shot(d, d.unseen->shots[*odd]);
+    else if (is_plain(*d.gap.held_out_before, d.gap.held_out_noise))
       withhold(
           d, DiagnosisVerdict::unexplained,
           fmt::format("the believed model agrees with what was fitted, but at the unseen speed "
@@ -214,6 +246,21 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
            fmt::format("{} explains what was fitted, but at the unseen speed the gap goes from "
                        "{:.3g} to {:.3g}",
                        label_of(d.best().effects), *d.gap.held_out_before, *d.gap.held_out_after));
+}
+
+void withhold_what_repetition_denies(Diagnosis& d, const SelectionRules& rules) {
+  if (d.verdict != DiagnosisVerdict::missing || d.bootstrap.draws == 0) return;
+  for (std::size_t k = d.selection.baseline.fit.effects.size(); k < d.best().effects.size(); ++k) {
+    const std::string& name = d.best().effects[k].name;
+    const double share = d.bootstrap.inclusion(name);
+    if (share >= rules.least_inclusion) continue;
+    withhold(
+        d,
+        d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
+        fmt::format("{} would be chosen in {:.0f} % of repeated measurements only", name,
+                    100.0 * share));
+    return;
+  }
 }
 
 }  // namespace rebound

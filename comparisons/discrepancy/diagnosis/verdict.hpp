@@ -28,4 +28,7 @@ void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& 
 /// A prediction that is better is no proof of a name; one that is not better is proof against it.
 void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis);
 
+/// An effect that repeated measurements would often not choose again carries no name.
+void withhold_what_repetition_denies(Diagnosis& diagnosis, const SelectionRules& rules);
+
 }  // namespace rebound

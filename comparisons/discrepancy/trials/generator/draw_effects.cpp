@@ -21,15 +21,6 @@ std::string draw_kind(Random& random) {
   return family == static_cast<int>(physical.size()) ? "measurement" : physical[family];
 }
 
-HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& random) {
-  HiddenEffect effect;
-  effect.form = random.one_of(from);
-  for (const SecondaryRange& range : effect.form->secondary)
-    effect.parameters[range.name] = range.in_itself ? random.uniform(range.from, range.to)
-                                                    : random.log_uniform(range.from, range.to);
-  return effect;
-}
-
 std::vector<HiddenEffect> draw_forms(const std::string& kind, Random& random) {
   if (kind == "null") return {};
   if (kind == "pair") {
@@ -96,6 +87,15 @@ const std::vector<std::string>& kinds() {
                                                "history", "surface",      "dynamics", "measurement",
                                                "pair",    "out_of_family"};
   return all;
+}
+
+HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& random) {
+  HiddenEffect effect;
+  effect.form = random.one_of(from);
+  for (const SecondaryRange& range : effect.form->secondary)
+    effect.parameters[range.name] = range.in_itself ? random.uniform(range.from, range.to)
+                                                    : random.log_uniform(range.from, range.to);
+  return effect;
 }
 
 void draw_effects(Trial& trial) {

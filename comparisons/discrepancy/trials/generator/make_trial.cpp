@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/trials/generator/refit.hpp"
 #include "comparisons/discrepancy/trials/generator/trial.hpp"
 
 namespace trials {
@@ -30,9 +29,8 @@ Sampling sampling_of(const Trial& trial, const TrialShot& shot, double contact_t
       .count = trial.samples_before + 1 + static_cast<int>(std::ceil(contact_time * rate + after))};
 }
 
-std::vector<double> recorded(const NoiseFree& free, std::size_t shot) {
-  return reported_force(free.impacts[shot], free.world.chain, free.samplings[shot],
-                        static_cast<int>(shot));
+std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling) {
+  return reported_force(free.impacts[shot], free.world.chain, sampling, static_cast<int>(shot));
 }
 
 void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, TrialShot& shot) {
@@ -46,7 +44,7 @@ void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, Trial
     const double u = *trial.restitution_uncertainty;
     shot.restitution = {std::clamp(impact.restitution + u * random.normal(), 0.0, 1.0), u};
   }
-  shot.force = recorded(free, i);
+  shot.force = recorded(free, i, free.samplings[i]);
   const std::vector<double> noise =
       draw_noise(trial.noise, static_cast<int>(shot.force.size()), random);
   for (std::size_t k = 0; k < noise.size(); ++k) {
@@ -76,8 +74,10 @@ NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& ef
   return free;
 }
 
-double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects) {
-  const NoiseFree free = simulate_trial(trial, effects);
+namespace {
+
+RefitProblem refit_problem(const Trial& trial, const NoiseFree& free,
+                           const std::vector<Sampling>& samplings) {
   RefitProblem problem{.ball = trial.ball,
                        .gain = trial.true_gain,
                        .gain_uncertainty = std::hypot(trial.gain_uncertainty,
@@ -86,17 +86,29 @@ double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& e
                        .shots = {}};
   for (std::size_t i = 0; i < trial.shots.size(); ++i) {
     RefitShot shot;
-    shot.force = recorded(free, i);
+    shot.force = recorded(free, i, samplings[i]);
     digitise(free.world.chain, shot.force);
     for (std::size_t k = 0; k < shot.force.size(); ++k)
-      shot.time.push_back(free.samplings[i].first_time +
-                          static_cast<double>(k) / trial.sampling_rate);
+      shot.time.push_back(samplings[i].first_time + static_cast<double>(k) / trial.sampling_rate);
     shot.speed = trial.shots[i].true_speed;
     shot.speed_uncertainty = trial.shots[i].speed.uncertainty;
     shot.restitution = free.impacts[i].restitution;
     shot.restitution_uncertainty = trial.restitution_uncertainty;
     problem.shots.push_back(std::move(shot));
   }
+  return problem;
+}
+
+}  // namespace
+
+Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
+                 const std::vector<Sampling>& samplings) {
+  return refit_baseline(refit_problem(trial, simulate_trial(trial, effects), samplings));
+}
+
+double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  const NoiseFree free = simulate_trial(trial, effects);
+  RefitProblem problem = refit_problem(trial, free, free.samplings);
   // A second start, for an effect may have a nearer minimum in the way.
   const double from_truth = refit_baseline(problem).chi_square;
   problem.ball.stiffness *= 1.3;
@@ -108,6 +120,7 @@ Trial make_trial(const TrialRequest& request) {
   Trial trial = draw_experiment(request);
   draw_effects(trial);
   trial.visible_chi_square = visible_chi_square(trial, trial.effects);
+  trial.rivals = rivals_of(trial);
   const NoiseFree free = simulate_trial(trial, trial.effects);
   for (std::size_t i = 0; i < trial.shots.size(); ++i) record_shot(trial, free, i, trial.shots[i]);
   return trial;

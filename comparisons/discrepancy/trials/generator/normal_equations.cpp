@@ -11,6 +11,7 @@ NormalEquations::NormalEquations(std::size_t unknowns)
 void NormalEquations::add(std::span<const int> places, std::span<const double> slopes,
                           double residual) {
   chi_square_ += residual * residual;
+  residuals_.push_back(residual);
   for (std::size_t i = 0; i < places.size(); ++i) {
     right_[places[i]] += slopes[i] * residual;
     for (std::size_t j = 0; j <= i; ++j) at(places[i], places[j]) += slopes[i] * slopes[j];

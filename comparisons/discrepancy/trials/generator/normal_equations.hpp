@@ -15,6 +15,8 @@ class NormalEquations {
   void add(std::span<const int> places, std::span<const double> slopes, double residual);
 
   double chi_square() const { return chi_square_; }
+  /// All residuals, in the order in which they were added.
+  const std::vector<double>& residuals() const { return residuals_; }
 
   /// Takes an unknown out: its step becomes zero.
   void pin(std::size_t unknown);
@@ -28,6 +30,7 @@ class NormalEquations {
   std::size_t size_;
   std::vector<double> matrix_;  ///< lower triangle, by rows
   std::vector<double> right_;
+  std::vector<double> residuals_;
   double chi_square_ = 0.0;
 };
 

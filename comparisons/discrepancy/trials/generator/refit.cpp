@@ -161,6 +161,7 @@ Refit refit_baseline(const RefitProblem& problem) {
     if (gained < 1e-4 * (0.1 + equations.chi_square())) break;
   }
   result.chi_square = equations.chi_square();
+  result.residuals = equations.residuals();
   result.ball = ball_of(problem, at);
   result.gain = at[gain];
   result.offset = at[offset];

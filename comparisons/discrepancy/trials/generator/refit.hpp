@@ -32,6 +32,7 @@ struct Refit {
   double gain = 1.0;
   double offset = 0.0;
   int iterations = 0;
+  std::vector<double> residuals;  ///< whose squares sum to χ²; as many as those of the same times
 };
 
 /// Fits the baseline to noise-free records that hold an effect: what is left is what can be seen

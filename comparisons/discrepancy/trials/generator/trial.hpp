@@ -8,6 +8,7 @@
 #include "comparisons/discrepancy/trials/generator/baseline_pulse.hpp"
 #include "comparisons/discrepancy/trials/generator/hidden_effect.hpp"
 #include "comparisons/discrepancy/trials/generator/noise.hpp"
+#include "comparisons/discrepancy/trials/generator/refit.hpp"
 
 namespace trials {
 
@@ -41,6 +42,18 @@ struct TrialShot {
 enum class NoiseStatement { right, half, twice, absent };
 std::string name_of(NoiseStatement statement);
 
+/// The form whose trace in the data is most like that of the truth.
+struct Rival {
+  std::string form;     ///< empty: there is none
+  double cosine = 0.0;  ///< of what both leave over beside the refitted baseline, absolute
+};
+
+/// Could anyone tell the truth of a trial from other effects? A cosine of 0.9 leaves a fifth of χ².
+struct Rivals {
+  Rival of_other_family;  ///< of two effects, or one outside all families: of any family
+  Rival of_other_name;    ///< another effect of the project's list
+};
+
 /// One trial: what is stated, what is true, what was recorded.
 struct Trial {
   TrialRequest request;
@@ -67,6 +80,7 @@ struct Trial {
   std::vector<HiddenEffect> effects;
   std::vector<TrialShot> shots;
   double visible_chi_square = 0.0;
+  Rivals rivals;
 
   double believed_stiffness = 0.0;  ///< [N/m^1.5]
   double believed_damping = 0.0;    ///< k λ [N s/m^2.5]
@@ -81,6 +95,9 @@ Trial make_trial(const TrialRequest& request);
 /// Ball, speeds, instrument and noise: everything but effects and records.
 Trial draw_experiment(const TrialRequest& request);
 
+/// One of these forms, with secondary numbers and no size yet.
+HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& random);
+
 /// Draws kind, forms, secondary numbers and sizes.
 void draw_effects(Trial& trial);
 
@@ -93,8 +110,15 @@ struct NoiseFree {
 };
 NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
-/// χ² of these effects against the refitted baseline, in white noise of the true deviation.
-/// Errors: NoRebound.
+/// What is left of these effects beside the refitted baseline, in the noise of the trial, at times
+/// of these samplings. Errors: NoRebound.
+Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
+                 const std::vector<Sampling>& samplings);
+
+/// χ² of that, at the effects' own times. Errors: NoRebound.
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+/// What of all forms comes nearest to the effects of a trial.
+Rivals rivals_of(const Trial& trial);
 
 }  // namespace trials

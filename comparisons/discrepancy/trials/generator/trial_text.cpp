@@ -36,6 +36,10 @@ Json noise_json(const Trial& trial) {
           {"stated", name_of(trial.noise_statement)}};
 }
 
+Json rival_json(const Rival& rival) {
+  return {{"form", rival.form}, {"cosine", rival.cosine}};
+}
+
 Json shots_json(const Trial& trial) {
   Json shots = Json::array();
   for (const TrialShot& shot : trial.shots)
@@ -108,6 +112,8 @@ std::string truth_text(const Trial& trial, const std::string& nonce) {
                       {"effects", effects},
                       {"visible_chi_square", trial.visible_chi_square},
                       {"resolvable", trial.visible_chi_square >= 25.0},
+                      {"nearest_of_other_family", rival_json(trial.rivals.of_other_family)},
+                      {"nearest_of_other_name", rival_json(trial.rivals.of_other_name)},
                       {"baseline",
                        {{"mass_kg", trial.ball.mass},
                         {"radius_m", trial.radius},

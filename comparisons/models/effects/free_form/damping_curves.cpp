@@ -1,3 +1,6 @@
+#include <array>
+#include <cmath>
+
 #include "comparisons/models/effects/free_form/curve_points.hpp"
 
 namespace rebound {
@@ -11,7 +14,7 @@ Effect damping_curves_effect() {
           "Damping force times curves over deflection and rate: the rate family without a "
           "formula.",
       .equation =
-          "F_d [1 + g(x/R)] [1 + h(|v|)], both smooth through values at 0, 1/5 ... 1 of "
+          "F_d [1 + g(sqrt(x/R))] [1 + h(|v|)], both smooth through values at 0, 1/5 ... 1 of "
           "their reach; the size is h at 2/5",
       .size_dimension = dimension::none,
       .range = curve_range(),
@@ -25,6 +28,11 @@ Effect damping_curves_effect() {
       .is_free_form = true,
       .curves = {curve_card("deflection_over_radius", "deflection_reach", "deflection"),
                  curve_card("rate_m_s", "rate_reach", "rate", 2)}};
+  for (CurveCard::Point& point : card.curves.front().points) point.place *= point.place;
+  // At first touch a dashpot or √x ẋ is many times a law's x^1.5 ẋ, of a force that hardly counts.
+  constexpr std::array<double, 2> steep{5.0, 2.0};
+  for (std::size_t k = 0; k < steep.size(); ++k)
+    card.parameters[k].scale = card.parameters[k].prior_deviation = steep[k];
   const std::vector<EffectParameterCard> rates = curve_points("rate", 6);
   for (const std::size_t k : {0, 1, 3, 4, 5}) card.parameters.push_back(rates[k]);
   card.parameters.push_back({.name = "deflection_reach",
@@ -39,16 +47,16 @@ Effect damping_curves_effect() {
                              .range = from_to(1e-3, 1e3),
                              .default_value = 30.0,
                              .kind = ParameterKind::largest_rate});
-  return {.card = std::move(card),
-          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-            DampingFactors& damping = problem.model.mechanisms.damping;
-            damping.deflection_curve =
-                curve_of(choice, "deflection", 6, choice.parameters.at("deflection_reach"));
-            damping.rate_curve.end = choice.parameters.at("rate_reach");
-            for (const std::size_t k : {0, 1, 3, 4, 5})
-              damping.rate_curve.value[k] = choice.parameters.at("rate_" + std::to_string(k));
-            damping.rate_curve.value[2] = choice.size;
-          }};
+  return {
+      .card = std::move(card), .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
+        DampingFactors& damping = problem.model.mechanisms.damping;
+        damping.deflection_curve =
+            curve_of(choice, "deflection", 6, std::sqrt(choice.parameters.at("deflection_reach")));
+        damping.rate_curve.end = choice.parameters.at("rate_reach");
+        for (const std::size_t k : {0, 1, 3, 4, 5})
+          damping.rate_curve.value[k] = choice.parameters.at("rate_" + std::to_string(k));
+        damping.rate_curve.value[2] = choice.size;
+      }};
 }
 
 }  // namespace rebound

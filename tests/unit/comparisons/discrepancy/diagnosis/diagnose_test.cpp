@@ -61,6 +61,21 @@ TEST_P(HiddenEffect, IsNamedAndTheGapShrinksOnTheUnseenSpeed) {
   EXPECT_FALSE(d.where.empty());
 }
 
+TEST(DiagnoseTest, AChoiceThatRepetitionWouldNotMakeAgainCarriesNoName) {
+  const SynthesisFile file =
+      experiment_with({{"relaxation", 0.5, {{"relaxation_time", 0.5e-3}}}}, 9);
+  const Diagnosis named = diagnose_hidden(file);
+  ASSERT_EQ(named.verdict, DiagnosisVerdict::missing);
+  EXPECT_EQ(named.bootstrap.draws, 999);
+  SelectionRules rules;
+  rules.least_inclusion = 1.1;  // more than any share
+  const Diagnosis withheld = diagnose_hidden(file, rules);
+  EXPECT_EQ(withheld.verdict, DiagnosisVerdict::family);
+  EXPECT_NE(withheld.withheld.find("repeated measurements"), std::string::npos);
+  rules.bootstrap_draws = 0;
+  EXPECT_EQ(diagnose_hidden(file, rules).verdict, DiagnosisVerdict::missing);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Lumped, HiddenEffect,
     ::testing::Values(Hidden{"relaxation", {"relaxation", 0.5, {{"relaxation_time", 0.5e-3}}}},

@@ -30,8 +30,8 @@ inline LumpedModel believed_law() {
   return model;
 }
 
-inline Diagnosis diagnose_hidden(const SynthesisFile& file) {
-  DiagnosisRequest request;
+inline Diagnosis diagnose_hidden(const SynthesisFile& file, const SelectionRules& rules = {}) {
+  DiagnosisRequest request{.rules = rules};
   request.datasets = {synthesize(file, simulator_of(file, {})).dataset};
   request.believed = believed_law();
   request.ask_fem = false;

@@ -41,6 +41,20 @@ TEST(ObserveTest, FastSamplingIsAveragedWithItsNoise) {
   EXPECT_LT(seen.shots[0].noise.deviation, 10.0);
 }
 
+/// Noise that is averaged over two samples has another colour than what is not: one colour is
+/// found for all records.
+TEST(ObserveTest, RecordsOfOneDataSetAreAveragedAlike) {
+  for (const double rate : {0.8e6, 1.0e6, 1.2e6, 1.5e6, 2.3e6}) {
+    SynthesisFile file = testing::experiment_with({}, 3);
+    file.sampling.rate = rate;
+    const Observations seen = observe({synthetic(file)});
+    for (const MeasuredImpact& shot : seen.shots)
+      EXPECT_NEAR(shot.trace.time[1] - shot.trace.time[0],
+                  seen.shots[0].trace.time[1] - seen.shots[0].trace.time[0], 1e-9)
+          << rate;
+  }
+}
+
 TEST(ObserveTest, RepeatsHaveNamesOfTheirOwn) {
   SynthesisFile file = testing::experiment_with({}, 3);
   file.shots.push_back(file.shots.front());
