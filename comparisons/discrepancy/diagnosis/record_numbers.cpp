@@ -62,14 +62,21 @@ double peak_of(const std::vector<double>& time, const std::vector<double>& value
   return c[2] < 0.0 ? c[0] - 0.25 * c[1] * c[1] / c[2] : top;
 }
 
+/// How a crossing is read: a polynomial through the samples on both sides of it, as far as those
+/// above the level take to grow by a factor.
+struct CrossingRule {
+  double reach = 2.0;
+  int degree = 1;
+};
+
 /// Instant at which the force crosses a level, sought from its peak; `step` −1 before, +1 after.
-double crossing(const Trace& trace, double level, int step) {
+double crossing(const Trace& trace, double level, int step, const CrossingRule& rule) {
   const auto& f = trace.force;
   const auto count = std::ssize(f);
   std::ptrdiff_t i = std::max_element(f.begin(), f.end()) - f.begin();
   std::ptrdiff_t inside = i;
   while (i >= 0 && i < count && f[static_cast<std::size_t>(i)] >= level) {
-    if (f[static_cast<std::size_t>(i)] >= 2.0 * level) inside = i;
+    if (f[static_cast<std::size_t>(i)] >= rule.reach * level) inside = i;
     i += step;
   }
   if (i < 0 || i >= count) return unknown;
@@ -80,14 +87,21 @@ double crossing(const Trace& trace, double level, int step) {
     x.push_back(trace.time[static_cast<std::size_t>(k)] - trace.time[static_cast<std::size_t>(i)]);
     y.push_back(f[static_cast<std::size_t>(k)]);
   }
-  if (x.size() < 2) return unknown;
-  const Eigen::VectorXd line = polynomial(x, y, 1);
-  return trace.time[static_cast<std::size_t>(i)] + (level - line[0]) / line[1];
+  if (x.size() < static_cast<std::size_t>(rule.degree) + 1) return unknown;
+  const Eigen::VectorXd c = polynomial(x, y, rule.degree);
+  double t = (level - c[0]) / c[1];
+  if (rule.degree == 2)  // one step of Newton from the line: the crossing lies within a sample
+    t += (level - c[0] - (c[1] + c[2] * t) * t) / (c[1] + 2.0 * c[2] * t);
+  return trace.time[static_cast<std::size_t>(i)] + t;
 }
 
-double time_between(const Trace& trace, double level) {
-  return crossing(trace, level, 1) - crossing(trace, level, -1);
+double time_between(const Trace& trace, double level, const CrossingRule& rule = {}) {
+  return crossing(trace, level, 1, rule) - crossing(trace, level, -1, rule);
 }
+
+/// Well above the noise a line through many samples would miss by the bend of the flank, and by
+/// another part of it in every record.
+constexpr CrossingRule on_a_flank{.reach = 1.5, .degree = 2};
 
 /// Contact time at the meant threshold, and half the distance of what p = 1 and p = 3 make of it.
 struct ContactTime {
@@ -151,7 +165,7 @@ Values values_of(const Trace& trace, double mass, const Levels& levels) {
   values.fill(unknown);
   at(values, RecordNumber::impulse) = integral(trace.time, trace.force);
   at(values, RecordNumber::peak_force) = peak_of(trace.time, trace.force);
-  at(values, RecordNumber::width) = time_between(trace, levels.width);
+  at(values, RecordNumber::width) = time_between(trace, levels.width, on_a_flank);
   at(values, RecordNumber::contact_time) = contact_time_of(trace, levels).time;
   if (trace.deflection.empty()) return values;
   at(values, RecordNumber::work) = work_of(trace);
@@ -217,6 +231,9 @@ RecordReadings read_record(const MeasuredImpact& shot, std::uint64_t seed) {
   const auto slack = [&](RecordNumber number) -> double& {
     return readings[static_cast<std::size_t>(number)].slack;
   };
+  constexpr double of_a_sample = 0.1;  // what is left of where the samples happen to lie
+  slack(RecordNumber::width) = of_a_sample * (trace.time.back() - trace.time.front()) /
+                               static_cast<double>(trace.time.size() - 1);
   slack(RecordNumber::contact_time) = contact_time_of(trace, levels).slack;
   slack(RecordNumber::impulse) =
       missing_impulse(trace, reading_of(readings, RecordNumber::width).value);
