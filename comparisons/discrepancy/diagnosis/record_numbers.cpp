@@ -231,7 +231,7 @@ RecordReadings read_record(const MeasuredImpact& shot, std::uint64_t seed) {
   const auto slack = [&](RecordNumber number) -> double& {
     return readings[static_cast<std::size_t>(number)].slack;
   };
-  constexpr double of_a_sample = 0.1;  // what is left of where the samples happen to lie
+  constexpr double of_a_sample = 0.5;  // what is left of where the samples happen to lie
   slack(RecordNumber::width) = of_a_sample * (trace.time.back() - trace.time.front()) /
                                static_cast<double>(trace.time.size() - 1);
   slack(RecordNumber::contact_time) = contact_time_of(trace, levels).slack;

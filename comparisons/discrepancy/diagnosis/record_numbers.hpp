@@ -47,7 +47,7 @@ inline const RecordReading& reading_of(const RecordReadings& readings, RecordNum
 /// A peak is that of the parabola through the samples above 0.85 of the largest; a crossing
 /// that of a straight line through the samples around it, of a parabola where noise is small. The
 /// highest of noisy samples and the first above a level would both be biased.
-/// A tenth of the sample interval counts as slack of a width: samples lie anywhere on its flanks.
+/// Half of the sample interval counts as slack of a width: samples lie anywhere on its flanks.
 /// Below five standard deviations of the noise a threshold cannot be read. Contact time is then
 /// read there and carried on by a force that grows as t^p, the middle of p = 1 and p = 3, half of
 /// whose distance is the slack.
