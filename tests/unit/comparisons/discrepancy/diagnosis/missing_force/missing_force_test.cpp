@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/missing_force/added_force_cases.hpp"
