@@ -61,6 +61,26 @@ Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   return {{"draws", bootstrap.draws}, {"chosen", chosen}};
 }
 
+/// The sets that were fitted, best criterion first.
+Json tried_json(const std::vector<AssessedFit>& tried) {
+  Json list = Json::array();
+  for (const AssessedFit& one : tried) {
+    Json effects = Json::array();
+    for (const EffectChoice& effect : one.fit.effects) effects.push_back(effect.name);
+    list.push_back({{"effects", effects},
+                    {"reduced_chi_square", one.fit.reduced_chi_square()},
+                    {"behind_the_best",
+                     one.fit.information_criterion - tried.front().fit.information_criterion},
+                    {"p_value", one.p_value},
+                    {"best_remaining", one.best_remaining},
+                    {"remaining_threshold", one.remaining_threshold},
+                    {"largest_z", one.map.largest},
+                    {"z_threshold", one.map.threshold},
+                    {"explains", one.judged ? Json(one.adequate) : Json(nullptr)}});
+  }
+  return list;
+}
+
 Json form_of(const Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::missing) return "named";
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
@@ -155,6 +175,7 @@ Json to_json(const Diagnosis& d) {
           {"effects", effects},
           {"candidates", d.candidates},
           {"bootstrap", bootstrap_json(d.bootstrap)},
+          {"tried", tried_json(d.selection.tried)},
           {"excluded_above", excluded},
           {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
           {"needed", d.needed},
