@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lumped/integration/simulate.hpp"
 #include "tests/support/effect_cases.hpp"
@@ -60,7 +61,8 @@ TEST(EffectFormsTest, AnOscillatorHasTheFrequencyThatItWasAskedFor) {
         apply_effects({choice}, problem);
         const Plate& plate = problem.model.mechanisms.plate;
         if (!plate.moves()) continue;
-        EXPECT_NEAR(std::sqrt(plate.stiffness / plate.mass), 2.0 * M_PI * frequency, 1e-6)
+        EXPECT_NEAR(std::sqrt(plate.stiffness / plate.mass), 2.0 * std::numbers::pi * frequency,
+                    1e-6)
             << effect.card.name;
         EXPECT_NEAR(ball / plate.mass, strength, 1e-12);
       }
@@ -90,12 +92,14 @@ TEST_P(EffectParameters, NoneIsIgnored) {
     SCOPED_TRACE(parameter.name);
     EffectChoice other = usual;
     other.parameters[parameter.name] = another_value(parameter);
-    if (effect.to_lumped)
+    if (effect.to_lumped) {
       EXPECT_NE(applied(other, test::problem_for_effects()),
                 applied(usual, test::problem_for_effects()));
-    if (effect.to_fem)
+    }
+    if (effect.to_fem) {
       EXPECT_NE(applied(other, test::fem_problem_for_effects()),
                 applied(usual, test::fem_problem_for_effects()));
+    }
     if (effect.to_measurement) {
       const MeasurementChain first{.shot = 1};
       EXPECT_NE(applied(other, first), applied(usual, first));
