@@ -93,16 +93,36 @@ TEST(SynthesizeTest, NoiseHasItsStandardDeviation) {
   EXPECT_NEAR(std::sqrt(square / 1900.0), 20.0, 1.5);  // 4.5 standard errors
 }
 
+// Over many seeds gain, mass and speed scatter as the data set says, which states none of them.
 TEST(SynthesizeTest, StatedUncertaintiesAreHonest) {
-  // Over many seeds the drawn gain scatters as the data set says.
-  double square = 0.0;
+  double gain = 0.0, mass = 0.0, speed = 0.0;
   SynthesisFile file = two_shots();
-  file.shots = {{.speed = 5.0, .history = false, .restitution_uncertainty = 0.01}};
+  file.shots = {
+      {.speed = 5.0, .history = false, .speed_uncertainty = 0.1, .restitution_uncertainty = 0.01}};
   file.instrument.force_gain_uncertainty = 0.03;
+  file.mass_uncertainty = 2e-3;
   const int seeds = 400;
-  for (file.seed = 0; file.seed < seeds; ++file.seed)
-    square += std::pow(make(file).true_force_gain, 2) / seeds;
-  EXPECT_NEAR(std::sqrt(square), 0.03, 0.0045);
+  for (file.seed = 0; file.seed < seeds; ++file.seed) {
+    const Synthesis made = make(file);
+    gain += std::pow(made.true_force_gain, 2) / seeds;
+    mass += std::pow(made.true_mass - file.sphere.mass, 2) / seeds;
+    speed += std::pow(made.hidden[0].speed - 5.0, 2) / seeds;
+    ASSERT_EQ(made.dataset.shots[0].impact.speed, 5.0);
+    ASSERT_EQ(made.dataset.sphere.mass, file.sphere.mass);
+  }
+  // 4.5 standard errors, σ/√(2 seeds) each
+  EXPECT_NEAR(std::sqrt(gain), 0.03, 0.0045);
+  EXPECT_NEAR(std::sqrt(mass), 2e-3, 3.2e-4);
+  EXPECT_NEAR(std::sqrt(speed), 0.1, 0.016);
+}
+
+// Reported = (1 + error) true.
+TEST(SynthesizeTest, AWrongMassAndAWrongSpeedAreStated) {
+  SynthesisFile file = two_shots();
+  file.effects = {{"mass", 0.1, {}}, {"speed-calibration", 0.25, {}}};
+  const Synthesis made = make(file);
+  EXPECT_NEAR(1.1 * made.true_mass, made.dataset.sphere.mass, 1e-15);
+  EXPECT_NEAR(1.25 * made.hidden[1].speed, made.dataset.shots[1].impact.speed, 1e-13);
 }
 
 TEST(SynthesizeTest, AGainFaultScalesTheForce) {

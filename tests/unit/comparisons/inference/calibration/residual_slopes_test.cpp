@@ -8,13 +8,14 @@
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/inference/calibration/force_deflection_residuals.hpp"
 #include "comparisons/inference/calibration/force_time_residuals.hpp"
+#include "comparisons/inference/calibration/whitening.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "tests/support/lumped_cases.hpp"
 
 namespace rebound {
 namespace {
 
-std::vector<MeasuredImpact> two_shots() {
+std::vector<MeasuredImpact> two_shots(const std::vector<double>& autocorrelation = {}) {
   std::vector<MeasuredImpact> shots;
   for (double speed : {5.0, 15.0}) {
     LumpedProblem problem = test::typical_problem("hunt-crossley");
@@ -24,7 +25,7 @@ std::vector<MeasuredImpact> two_shots() {
     shots.push_back({.sphere = problem.sphere,
                      .impact = problem.impact,
                      .trace = run.trace,
-                     .noise = {.deviation = 5.0},
+                     .noise = {.deviation = 5.0, .autocorrelation = autocorrelation},
                      .scalars = run.scalars});
   }
   return shots;
@@ -56,8 +57,9 @@ void expect_slopes(const CalibrationProblem& problem, const std::vector<double>&
 }
 
 template <class Residuals>
-void expect_slopes_of(Observable observable, const Nuisances& errors) {
-  const auto shots = two_shots();
+void expect_slopes_of(Observable observable, const Nuisances& errors,
+                      const std::vector<double>& autocorrelation = {}) {
+  const auto shots = two_shots(autocorrelation);
   LawCalibrationOptions options;
   options.observable = observable;
   options.nuisances = errors;
@@ -95,16 +97,49 @@ void expect_slopes_of(Observable observable, const Nuisances& errors) {
   expect_slopes(problem, x);
 }
 
+const Nuisances over_deflection{
+    {{"gain", 0.02}, {"baseline", 10.0}, {"speed", 0.01}, {"mass", 0.01}}};
+const Nuisances over_time{
+    {{"gain", 0.02}, {"trigger", 1e-5}, {"baseline", 10.0}, {"speed", 0.01}, {"mass", 0.01}}};
+
 TEST(ResidualSlopesTest, ForceOverDeflection) {
-  expect_slopes_of<ForceDeflectionResiduals>(
-      Observable::force_deflection,
-      {{{"gain", 0.02}, {"baseline", 10.0}, {"speed", 0.01}, {"mass", 0.01}}});
+  expect_slopes_of<ForceDeflectionResiduals>(Observable::force_deflection, over_deflection);
 }
 
 TEST(ResidualSlopesTest, ForceOverTime) {
-  expect_slopes_of<ForceTimeResiduals>(
-      Observable::force_time,
-      {{{"gain", 0.02}, {"trigger", 1e-5}, {"baseline", 10.0}, {"speed", 0.01}, {"mass", 0.01}}});
+  expect_slopes_of<ForceTimeResiduals>(Observable::force_time, over_time);
+}
+
+TEST(ResidualSlopesTest, UnderCorrelatedNoise) {
+  expect_slopes_of<ForceDeflectionResiduals>(Observable::force_deflection, over_deflection,
+                                             {0.6, 0.3});
+  expect_slopes_of<ForceTimeResiduals>(Observable::force_time, over_time, {0.6, 0.3});
+}
+
+/// Under correlated noise the residuals are those under white noise, whitened shot by shot.
+template <class Residuals>
+void expect_whitened(Observable observable) {
+  const auto residuals_of = [&](const std::vector<MeasuredImpact>& shots) {
+    LumpedModel model = test::typical_problem("hunt-crossley").model;
+    model.parameters["stiffness"] *= 0.8;
+    LawCalibrationOptions options;
+    options.observable = observable;
+    return Residuals(shots, options)([&](std::size_t) { return model; },
+                                     [](std::size_t) { return MeasurementChain{}; });
+  };
+  const auto white = two_shots(), coloured = two_shots({0.6, 0.3});
+  for (std::size_t k = 0; k < white.size(); ++k) {
+    std::vector<double> expected = residuals_of({white[k]});
+    take_out_correlation(coloured[k].noise, expected);
+    const std::vector<double> found = residuals_of({coloured[k]});
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-9);
+  }
+}
+
+TEST(ResidualSlopesTest, ResidualsAreWhitened) {
+  expect_whitened<ForceDeflectionResiduals>(Observable::force_deflection);
+  expect_whitened<ForceTimeResiduals>(Observable::force_time);
 }
 
 TEST(ResidualSlopesTest, LossesAndPriors) {

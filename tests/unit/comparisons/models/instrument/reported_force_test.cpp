@@ -100,6 +100,18 @@ TEST(ReportedForceTest, DroopTakesTheImpulseBackInTheEnd) {
   EXPECT_LT(std::abs(sum), 1e-4 * largest);
 }
 
+// Long after its start a ramp is late by the time constants of both poles together.
+TEST(ReportedForceTest, BothLagsDelayARamp) {
+  Trace ramp;
+  for (int i = 0; i <= 4000; ++i) {
+    ramp.time.push_back(i * 1e-6);
+    ramp.force.push_back(1e5 * ramp.time.back());
+  }
+  const MeasurementChain chain{.lag = 1e-4, .second_lag = 5e-5};
+  const auto force = reported_force(ramp, chain, std::vector<double>{3e-3});
+  EXPECT_NEAR(force[0], 1e5 * (3e-3 - 1.5e-4), 1e-6);
+}
+
 TEST(ReportedForceTest, ABandwidthThatTheSamplesCannotShowPassesAll) {
   const Trace contact = half_sine();
   EXPECT_EQ(reported_force(contact, {.bandwidth = 1e6}, contact.time), contact.force);

@@ -40,6 +40,31 @@ TEST(RingDownTest, DampingTakesEnergy) {
   EXPECT_LT(std::abs(after.force.back()), 100.0);
 }
 
+// y = A e^{−ζωt} sin ω_d t; the cell reads its spring and its damper, k y + c ẏ.
+TEST(RingDownTest, ADampedPlateIsReadByBothSpringAndDamper) {
+  const Plate plate{.stiffness = 5e7, .mass = 2.0, .damping_ratio = 0.2};
+  const double omega = std::sqrt(plate.stiffness / plate.mass), decay = 0.2 * omega;
+  const double swing = std::sqrt(omega * omega - decay * decay);
+  const double damping = 2.0 * decay * plate.mass;
+  const auto y = [&](double t) { return 1e-4 * std::exp(-decay * t) * std::sin(swing * t); };
+  const auto reading = [&](double t) {
+    const double rate =
+        1e-4 * std::exp(-decay * t) * (swing * std::cos(swing * t) - decay * std::sin(swing * t));
+    return plate.stiffness * y(t) + damping * rate;
+  };
+  Trace trace;
+  std::vector<double> displacement;
+  for (int i = 0; i <= 400; ++i) {
+    trace.time.push_back(5e-4 * i / 400);
+    displacement.push_back(y(trace.time.back()));
+    trace.force.push_back(reading(trace.time.back()));
+  }
+  trace.further = {{"plate_displacement_m", displacement}};
+  const Trace after = with_ring_down(trace, plate, 3e-3);
+  for (std::size_t i = trace.time.size(); i < after.time.size(); ++i)
+    EXPECT_NEAR(after.force[i], reading(after.time[i]), 5e3 * 1e-3);
+}
+
 // Equal masses on equal springs: the slower mode has z/y = 0.618 and ω² = 0.382 k/m.
 TEST(RingDownTest, APlateOnAFrameRingsInItsModes) {
   const Plate plate{.stiffness = 5e7,

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <ostream>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
@@ -13,6 +14,16 @@
 #include "tests/unit/comparisons/discrepancy/diagnosis/missing_force/added_force_cases.hpp"
 
 namespace rebound {
+
+namespace testing {
+
+/// Names the force where GoogleTest prints the parameter of a test.
+void PrintTo(const AddedForce* added, std::ostream* out) {
+  *out << added->name;
+}
+
+}  // namespace testing
+
 namespace {
 
 using testing::AddedForce;

@@ -1,0 +1,57 @@
+#include "comparisons/discrepancy/diagnosis/candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+constexpr double reach = 6.0;
+
+/// An adequate fit of so many numbers to a thousand data.
+AssessedFit adequate_fit(const std::vector<std::string>& effects, double chi_square,
+                         double unknowns) {
+  AssessedFit one;
+  for (const std::string& name : effects) one.fit.effects.push_back({.name = name});
+  one.fit.chi_square = chi_square;
+  one.fit.effect_unknowns = unknowns;
+  one.fit.information_criterion = chi_square + unknowns * std::log(1000.0);
+  one.judged = one.adequate = true;
+  return one;
+}
+
+using Members = std::vector<std::size_t>;
+
+TEST(CandidatesTest, ASetThatHoldsASmallerOneIsNone) {
+  const std::vector<AssessedFit> tried{adequate_fit({"force-exponent"}, 1000.0, 1),
+                                       adequate_fit({"hysteresis"}, 1001.0, 1),
+                                       adequate_fit({"force-exponent", "gravity"}, 998.0, 1.3)};
+  EXPECT_EQ(indistinguishable_models(tried, reach), (Members{0, 1}));
+}
+
+TEST(CandidatesTest, ASetStandsWhereTheSmallerOneIsNotAdequate) {
+  std::vector<AssessedFit> tried{adequate_fit({"force-exponent"}, 1000.0, 1),
+                                 adequate_fit({"force-exponent", "gravity"}, 998.0, 1.3)};
+  tried[0].adequate = false;
+  EXPECT_EQ(indistinguishable_models(tried, reach), (Members{1}));
+}
+
+TEST(CandidatesTest, ACurveMakesWayForAFormulaOfItsFamily) {
+  const std::vector<AssessedFit> tried{adequate_fit({"elastic-curve"}, 990.0, 2),
+                                       adequate_fit({"force-exponent"}, 1000.0, 1),
+                                       adequate_fit({"unloading-curve"}, 990.0, 2)};
+  EXPECT_EQ(indistinguishable_models(tried, reach), (Members{1, 2}));
+}
+
+// By χ² + k ln N the second is 14 beyond the first, by χ² + 2 k level with it; the third fits
+// better than both, and pays 2 a number for it.
+TEST(CandidatesTest, EitherCriterionKeepsACandidateAndBothCountItsNumbers) {
+  const std::vector<AssessedFit> tried{adequate_fit({"hysteresis"}, 1006.0, 1),
+                                       adequate_fit({"force-exponent", "gravity"}, 1002.0, 3),
+                                       adequate_fit({"relaxation", "adhesion"}, 998.0, 9)};
+  EXPECT_EQ(indistinguishable_models(tried, reach), (Members{0, 1}));
+}
+
+}  // namespace
+}  // namespace rebound
