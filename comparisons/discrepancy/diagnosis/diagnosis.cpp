@@ -9,7 +9,7 @@
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
-#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"

@@ -53,6 +53,52 @@ Json excluded_json(const ExcludedSize& excluded) {
           {"over", over}};
 }
 
+template <class Record>
+Json list_of(const std::vector<Record>& records, Json (*json_of)(const Record&)) {
+  Json list = Json::array();
+  for (const Record& one : records) list.push_back(json_of(one));
+  return list;
+}
+
+Json band_json(const FactorBand& band) {
+  return {{"of", band.of},         {"quantity", band.quantity}, {"x", band.x},
+          {"factor", band.factor}, {"low", band.low},           {"high", band.high}};
+}
+
+Json nearest_json(const ExplainedShare& one) {
+  return {{"name", one.effects.front()}, {"share_explained", one.share}};
+}
+
+Json next_json(const NextExperiment& one) {
+  return {{"what", one.what}, {"separates", one.separates}, {"probability", one.probability}};
+}
+
+Json where_json(const Diagnosis& d) {
+  Json where = Json::array();
+  for (const MapCell& cell : d.where)
+    where.push_back({{"speed_m_s", d.speed_of(cell)},
+                     {"phase", name_of(cell.phase)},
+                     {"observable", name_of(cell.what)},
+                     {"z", cell.z}});
+  return where;
+}
+
+/// Shot by shot, those that the fit saw and those that it did not.
+Json gap_of_shots_json(const Diagnosis& d) {
+  Json shots = Json::array();
+  const auto add = [&](const Observations& seen, const std::vector<ShotGap>& gaps, bool fitted) {
+    for (std::size_t i = 0; i < gaps.size(); ++i)
+      shots.push_back({{"shot", seen.shots[i].number},
+                       {"label", seen.shots[i].label},
+                       {"speed_m_s", seen.shots[i].impact.speed},
+                       {"fitted", fitted},
+                       {"reduced_chi_square", gaps[i].reduced_chi_square}});
+  };
+  if (d.gap.before) add(*d.seen, gaps_of_shots(d.believed.fit), true);
+  if (d.unseen_before) add(*d.unseen, d.unseen_before->of_shots, false);
+  return shots;
+}
+
 Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   if (bootstrap.draws == 0) return nullptr;
   Json chosen = Json::array();
@@ -119,76 +165,38 @@ Json check_json(const DataCheck& check) {
           {"mended_by", check.mended_by}};
 }
 
-Json checks_json(const std::vector<DataCheck>& checks) {
-  Json list = Json::array();
-  for (const DataCheck& check : checks) list.push_back(check_json(check));
-  return list;
-}
-
 }  // namespace
 
 Json to_json(const Diagnosis& d) {
-  Json effects = Json::array(), excluded = Json::array(), next = Json::array(),
-       where = Json::array();
-  Json curves = Json::array(), nearest = Json::array();
-  for (const ExplainedShare& one : d.nearest)
-    nearest.push_back({{"name", one.effects.front()}, {"share_explained", one.share}});
-  for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
-  for (const FactorBand& band : d.curves)
-    curves.push_back({{"of", band.of},
-                      {"quantity", band.quantity},
-                      {"x", band.x},
-                      {"factor", band.factor},
-                      {"low", band.low},
-                      {"high", band.high}});
-  for (const auto& e : d.excluded) excluded.push_back(excluded_json(e));
-  for (const auto& e : d.next)
-    next.push_back({{"what", e.what}, {"separates", e.separates}, {"probability", e.probability}});
-  Json shots = Json::array();
-  const auto add_shots = [&](const Observations& seen, const std::vector<ShotGap>& gaps,
-                             bool fitted) {
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-      shots.push_back({{"shot", seen.shots[i].number},
-                       {"label", seen.shots[i].label},
-                       {"speed_m_s", seen.shots[i].impact.speed},
-                       {"fitted", fitted},
-                       {"reduced_chi_square", gaps[i].reduced_chi_square}});
-  };
-  if (d.gap.before) add_shots(*d.seen, gaps_of_shots(d.believed.fit), true);
-  if (d.unseen_before) add_shots(*d.unseen, d.unseen_before->of_shots, false);
-  for (const auto& cell : d.where)
-    where.push_back({{"speed_m_s", d.speed_of(cell)},
-                     {"phase", name_of(cell.phase)},
-                     {"observable", name_of(cell.what)},
-                     {"z", cell.z}});
+  const Json curves = list_of(d.curves, band_json);
   return {{"schema", 1},
           {"verdict", name_of(d.verdict)},
           {"family", d.family == EffectFamily::none ? Json(nullptr) : Json(name_of(d.family))},
           {"form", form_of(d)},
           {"curve", curves.empty() ? Json(nullptr) : curves.front()},
           {"curves", curves},
-          {"nearest_formulas", nearest},
+          {"nearest_formulas", list_of(d.nearest, nearest_json)},
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
           {"missing_force", missing_force_json(d)},
-          {"contradictions", checks_json(d.contradictions)},
-          {"checks", checks_json(d.checks)},
-          {"effects", effects},
+          {"contradictions", list_of(d.contradictions, check_json)},
+          {"checks", list_of(d.checks, check_json)},
+          {"effects", list_of(d.effects, effect_json)},
           {"candidates", d.candidates},
           {"bootstrap", bootstrap_json(d.bootstrap)},
           {"tried", tried_json(d.selection.tried)},
-          {"excluded_above", excluded},
+          {"excluded_above", list_of(d.excluded, excluded_json)},
           {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
           {"needed", d.needed},
           {"warnings", d.warnings},
-          {"next_experiments", next},
-          {"where", where},
+          {"next_experiments", list_of(d.next, next_json)},
+          {"where", where_json(d)},
           {"gap",
            {{"before", number_or_null(d.gap.before)},
             {"after", number_or_null(d.gap.after)},
             {"held_out_before", number_or_null(d.gap.held_out_before)},
             {"held_out_after", number_or_null(d.gap.held_out_after)},
             {"held_out_noise", d.gap.held_out_noise}}},
-          {"gap_of_shots", shots},
+          {"gap_of_shots", gap_of_shots_json(d)},
           {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
           {"noise_from", d.seen ? d.seen->noise_from : ""},
           {"extended_model", nullptr},

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
 

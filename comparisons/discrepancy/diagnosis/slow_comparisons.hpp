@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 
 namespace rebound {

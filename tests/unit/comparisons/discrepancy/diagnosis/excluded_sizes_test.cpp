@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/scalar_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/scalar_checks.hpp"
 
 #include <fmt/format.h>
 

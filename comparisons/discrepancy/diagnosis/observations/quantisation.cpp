@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "comparisons/discrepancy/diagnosis/record_numbers.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/record_numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "comparisons/discrepancy/diagnosis/noise_source.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/noise_source.hpp"
 
 namespace rebound {
 namespace {

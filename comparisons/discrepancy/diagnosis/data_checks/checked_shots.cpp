@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/checked_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Data that contradict themselves, and data that do not.
-#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
-#include "comparisons/discrepancy/diagnosis/noise_source.hpp"
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/noise_source.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/prepare_histories.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/prepare_histories.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <numeric>
 #include <span>
 
-#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
-#include "comparisons/discrepancy/diagnosis/settle_deflections.hpp"
-#include "comparisons/discrepancy/diagnosis/whole_impact.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/settle_deflections.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/whole_impact.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/whole_impact.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/whole_impact.hpp"
 
 #include <fmt/format.h>
 

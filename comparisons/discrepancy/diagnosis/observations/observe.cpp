@@ -1,12 +1,12 @@
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/prepare_histories.hpp"
-#include "comparisons/discrepancy/diagnosis/slow_compressions.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/prepare_histories.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/slow_compressions.hpp"
 
 namespace rebound {
 namespace {

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
 
 #include <cmath>
 

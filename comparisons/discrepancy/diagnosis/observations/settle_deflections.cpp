@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/settle_deflections.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/settle_deflections.hpp"
 
 #include <fmt/format.h>
 

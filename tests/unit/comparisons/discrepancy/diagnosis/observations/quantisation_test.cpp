@@ -1,10 +1,10 @@
-#include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

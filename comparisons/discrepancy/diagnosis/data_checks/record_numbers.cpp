@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/record_numbers.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/record_numbers.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/noise_source.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/noise_source.hpp"
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 #include "lumped/problem/scalars.hpp"

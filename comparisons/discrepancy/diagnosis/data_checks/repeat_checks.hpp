@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/checked_shots.hpp"
-#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 
 namespace rebound {
 

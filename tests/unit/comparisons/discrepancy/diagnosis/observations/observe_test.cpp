@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/checked_shots.hpp"
-#include "comparisons/discrepancy/diagnosis/repeat_checks.hpp"
-#include "comparisons/discrepancy/diagnosis/scalar_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/repeat_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/scalar_checks.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 
 namespace rebound {

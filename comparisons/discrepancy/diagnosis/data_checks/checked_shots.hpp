@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/record_numbers.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/record_numbers.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 
 namespace rebound {

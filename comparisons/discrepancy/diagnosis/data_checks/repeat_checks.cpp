@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/repeat_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/repeat_checks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/slow_compressions.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/slow_compressions.hpp"
 
 #include <fmt/format.h>
 
