@@ -61,6 +61,13 @@ TEST(EffectSensitivitiesTest, NoiseExceedsTheThresholdAsOftenAsItsLevelSays) {
   EXPECT_NEAR(exceeded, 20, 9.5);
 }
 
+// The largest of one square of a normal number: 1.96², three standard errors of 4000 draws.
+TEST(EffectSensitivitiesTest, TheThresholdOfOneEffectIsThatOfChiSquare) {
+  const Around one({}, 500, {"force-exponent"});
+  ASSERT_EQ(one.around.all().size(), 1u);
+  EXPECT_NEAR(one.around.threshold(0.05, 1), 3.84, 0.32);
+}
+
 // Hysteresis takes energy away: data that ask for the opposite give it nothing.
 TEST(EffectSensitivitiesTest, TheWrongSideOfAnEffectGainsNothing) {
   int wrong = 0;
