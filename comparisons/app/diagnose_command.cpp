@@ -9,6 +9,7 @@
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/toml/units.hpp"

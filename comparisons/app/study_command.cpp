@@ -8,7 +8,7 @@
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/results/result_folder.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"

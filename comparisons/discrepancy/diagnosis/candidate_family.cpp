@@ -5,7 +5,7 @@
 namespace rebound {
 namespace {
 
-EffectFamily family_of(const Candidate& candidate) {
+EffectFamily family_of(const EffectSet& candidate) {
   EffectFamily family = EffectFamily::none;
   for (const std::string& name : candidate) {
     const EffectFamily own = find_effect(name).card.family;
@@ -15,7 +15,7 @@ EffectFamily family_of(const Candidate& candidate) {
   return family;
 }
 
-bool has_member(const Candidate& candidate, EffectFamily family) {
+bool has_member(const EffectSet& candidate, EffectFamily family) {
   return std::any_of(candidate.begin(), candidate.end(), [&](const std::string& name) {
     return find_effect(name).card.family == family;
   });
@@ -23,14 +23,14 @@ bool has_member(const Candidate& candidate, EffectFamily family) {
 
 }  // namespace
 
-EffectFamily common_family(const std::vector<Candidate>& candidates) {
+EffectFamily common_family(const std::vector<EffectSet>& candidates) {
   const EffectFamily first = family_of(candidates.front());
   const bool same = std::all_of(candidates.begin(), candidates.end(),
                                 [&](const auto& one) { return family_of(one) == first; });
   return same ? first : EffectFamily::none;
 }
 
-EffectFamily main_family(const std::vector<Candidate>& candidates,
+EffectFamily main_family(const std::vector<EffectSet>& candidates,
                          const std::vector<ExplainedShare>& explained) {
   constexpr double most = 0.8;
   EffectFamily found = EffectFamily::none;
@@ -44,6 +44,22 @@ EffectFamily main_family(const std::vector<Candidate>& candidates,
     found = family;
   }
   return found;
+}
+
+std::vector<ExplainedShare> nearest_formulas(EffectFamily family,
+                                             const std::vector<ExplainedShare>& explained) {
+  constexpr double worth_a_word = 0.5;
+  constexpr std::size_t most = 2;
+  std::vector<ExplainedShare> nearest;
+  for (const ExplainedShare& one : explained) {
+    if (one.effects.size() != 1 || one.share < worth_a_word) continue;
+    const EffectCard& card = find_effect(one.effects.front()).card;
+    if (card.family == family && !card.is_free_form) nearest.push_back(one);
+  }
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  if (nearest.size() > most) nearest.resize(most);
+  return nearest;
 }
 
 }  // namespace rebound

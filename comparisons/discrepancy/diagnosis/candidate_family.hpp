@@ -9,20 +9,25 @@
 namespace rebound {
 
 /// Names of the effects that a candidate adds to the believed model.
-using Candidate = std::vector<std::string>;
+using EffectSet = std::vector<std::string>;
 
 /// How much of the gap one of the fits explains.
 struct ExplainedShare {
-  Candidate effects;
+  EffectSet effects;
   double share = 0.0;  ///< of the χ² that the best candidate removes
 };
 
 /// The family of all effects of all candidates; none where two differ.
-EffectFamily common_family(const std::vector<Candidate>& candidates);
+EffectFamily common_family(const std::vector<EffectSet>& candidates);
 
 /// The family that every candidate has a member of and that explains by itself four fifths of what
 /// the best candidate does; none where two families do so.
-EffectFamily main_family(const std::vector<Candidate>& candidates,
+EffectFamily main_family(const std::vector<EffectSet>& candidates,
                          const std::vector<ExplainedShare>& explained);
+
+/// The formulas of a family that come nearest to what is missing, best first, two at most: those
+/// that explain by themselves half of what the best candidate does. None of them is enough.
+std::vector<ExplainedShare> nearest_formulas(EffectFamily family,
+                                             const std::vector<ExplainedShare>& explained);
 
 }  // namespace rebound

@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -148,6 +151,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.seed = request.seed;
   const Observations all = observe(request.datasets);
   d.warnings = all.warnings;
+  d.checks = check_data(all);
+  d.contradictions = contradictions_among(d.checks);
   std::vector<bool> left_out(all.shots.size(), false);
   if (request.hold_out)
     if (const auto cluster = choose_held_out(all, request.held_out_speed)) {
@@ -157,7 +162,9 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   std::vector<bool> fitted = left_out;
   fitted.flip();
   d.seen = std::make_shared<const Observations>(subset(all, fitted));
-  d.unseen = std::make_shared<const Observations>(subset(all, left_out));
+  Observations unseen = subset(all, left_out);
+  unseen.compressions.clear();  // the fit has seen them
+  d.unseen = std::make_shared<const Observations>(std::move(unseen));
   if (!d.held_out_speed && request.hold_out)
     d.warnings.push_back(
         "fewer than three speeds: none could be left out to test the extended model");
@@ -170,15 +177,18 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (!d.needed.empty()) return d;
 
   search(d, request, baseline, all, control);
+  for (const DataCheck& one : compare_slow_tests(*d.seen, d.believed.fit)) d.checks.push_back(one);
   conclude(d, request.rules);
   d.gap.before = d.believed.fit.reduced_chi_square();
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();
   if (d.held_out_speed) predict_held_out(d);
   withhold_what_the_unseen_speed_denies(d);
+  withhold_names_from_contradictions(d, all);
   if (!d.selection.indistinguishable.empty()) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
     withhold_what_repetition_denies(d, request.rules);
   }
+  find_nearest_formulas(d);
   show_missing_force(d);
   return d;
 }

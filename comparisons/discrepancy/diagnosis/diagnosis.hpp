@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
@@ -68,8 +70,12 @@ struct Diagnosis {
   std::string fault;  ///< empty: none suspected
   std::vector<std::string> needed;
   std::vector<std::string> warnings;
+  std::vector<DataCheck> checks;          ///< the data against themselves, before any model
+  std::vector<DataCheck> contradictions;  ///< of these, the plain ones, largest first
   std::vector<NextExperiment> next;
   std::vector<FactorBand> curves;  ///< of a family that has no formula here
+  /// Of that family: formulas that come nearest, with the share of the gap each explains.
+  std::vector<ExplainedShare> nearest;
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
@@ -88,6 +94,10 @@ struct Diagnosis {
   /// is missing from it.
   std::optional<MissingForce> missing_force;
 
+  /// Of a cell of the map [m/s]; zero for a slow compression.
+  double speed_of(const MapCell& cell) const {
+    return cell.shot < seen->shots.size() ? seen->shots[cell.shot].impact.speed : 0.0;
+  }
   /// Has the search, or the repair of a formula, added to the believed model?
   bool extended() const { return best().effects.size() > believed_effects; }
   /// The fit that the verdict rests on: the best candidate, or what the search
@@ -101,7 +111,7 @@ struct Diagnosis {
 
 /// Runs the workflow.
 ///
-///   1 noise and uncertainties from the data set, or a warning
+///   1 noise and uncertainties from the data set, or a warning; the data against themselves
 ///   2 the believed model fitted jointly to all speeds but one
 ///   3 a damping formula that does not return the restitution it was given
 ///     contradicts the model's own input: it is set right before anything is

@@ -61,6 +61,26 @@ Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   return {{"draws", bootstrap.draws}, {"chosen", chosen}};
 }
 
+/// The sets that were fitted, best criterion first.
+Json tried_json(const std::vector<AssessedFit>& tried) {
+  Json list = Json::array();
+  for (const AssessedFit& one : tried) {
+    Json effects = Json::array();
+    for (const EffectChoice& effect : one.fit.effects) effects.push_back(effect.name);
+    list.push_back({{"effects", effects},
+                    {"reduced_chi_square", one.fit.reduced_chi_square()},
+                    {"behind_the_best",
+                     one.fit.information_criterion - tried.front().fit.information_criterion},
+                    {"p_value", one.p_value},
+                    {"best_remaining", one.best_remaining},
+                    {"remaining_threshold", one.remaining_threshold},
+                    {"largest_z", one.map.largest},
+                    {"z_threshold", one.map.threshold},
+                    {"explains", one.judged ? Json(one.adequate) : Json(nullptr)}});
+  }
+  return list;
+}
+
 Json form_of(const Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::missing) return "named";
   return d.verdict == DiagnosisVerdict::family && !d.curves.empty() ? Json("free") : Json(nullptr);
@@ -87,8 +107,22 @@ Json missing_force_json(const Diagnosis& d) {
       {"held_out_with", number_or_null(missing.unseen_after)}};
 }
 
-std::string text_of(const std::optional<double>& value) {
-  return value ? fmt::format("{:.3g}", *value) : "not computed";
+Json check_json(const DataCheck& check) {
+  return {{"what", check.what},
+          {"of", check.of},
+          {"measured", check.measured},
+          {"expected", check.expected},
+          {"error", check.error},
+          {"unit", or_one(check.unit)},
+          {"deviations", check.deviations()},
+          {"compared_only", check.compared_only},
+          {"mended_by", check.mended_by}};
+}
+
+Json checks_json(const std::vector<DataCheck>& checks) {
+  Json list = Json::array();
+  for (const DataCheck& check : checks) list.push_back(check_json(check));
+  return list;
 }
 
 }  // namespace
@@ -96,7 +130,9 @@ std::string text_of(const std::optional<double>& value) {
 Json to_json(const Diagnosis& d) {
   Json effects = Json::array(), excluded = Json::array(), next = Json::array(),
        where = Json::array();
-  Json curves = Json::array();
+  Json curves = Json::array(), nearest = Json::array();
+  for (const ExplainedShare& one : d.nearest)
+    nearest.push_back({{"name", one.effects.front()}, {"share_explained", one.share}});
   for (const auto& effect : d.effects) effects.push_back(effect_json(effect));
   for (const FactorBand& band : d.curves)
     curves.push_back({{"of", band.of},
@@ -121,7 +157,7 @@ Json to_json(const Diagnosis& d) {
   if (d.gap.before) add_shots(*d.seen, gaps_of_shots(d.believed.fit), true);
   if (d.unseen_before) add_shots(*d.unseen, d.unseen_before->of_shots, false);
   for (const auto& cell : d.where)
-    where.push_back({{"speed_m_s", d.seen->shots[cell.shot].impact.speed},
+    where.push_back({{"speed_m_s", d.speed_of(cell)},
                      {"phase", name_of(cell.phase)},
                      {"observable", name_of(cell.what)},
                      {"z", cell.z}});
@@ -131,11 +167,15 @@ Json to_json(const Diagnosis& d) {
           {"form", form_of(d)},
           {"curve", curves.empty() ? Json(nullptr) : curves.front()},
           {"curves", curves},
+          {"nearest_formulas", nearest},
           {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
           {"missing_force", missing_force_json(d)},
+          {"contradictions", checks_json(d.contradictions)},
+          {"checks", checks_json(d.checks)},
           {"effects", effects},
           {"candidates", d.candidates},
           {"bootstrap", bootstrap_json(d.bootstrap)},
+          {"tried", tried_json(d.selection.tried)},
           {"excluded_above", excluded},
           {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
           {"needed", d.needed},
@@ -155,105 +195,6 @@ Json to_json(const Diagnosis& d) {
           {"report", nullptr},
           {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
           {"seed", d.seed}};
-}
-
-std::string headline(const Diagnosis& d) {
-  const auto sized = [&] {
-    std::string text;
-    for (const auto& e : d.effects) {
-      const EffectCard& card = find_effect(e.effect.name).card;
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", card.name);
-      if (!card.is_switch)
-        text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", e.size.value, e.size.low, e.size.high,
-                            size_unit(card).empty() ? "" : " " + size_unit(card));
-    }
-    return text;
-  };
-  switch (d.verdict) {
-    case DiagnosisVerdict::agrees: return "Model and data agree within the noise.";
-    case DiagnosisVerdict::missing: return "Missing from the model: " + sized() + ".";
-    case DiagnosisVerdict::measurement_fault:
-      return "A fault of the measurement is suspected: " + d.fault + ".";
-    case DiagnosisVerdict::unexplained:
-      return d.effects.empty()
-                 ? std::string("Model and data disagree, and nothing in the list explains it.")
-                 : "Missing from the model: " + sized() +
-                       "; what is left then, nothing in the list "
-                       "explains.";
-    case DiagnosisVerdict::insufficient_data:
-      return d.effects.empty() ? std::string("Not enough data for a verdict.")
-                               : "Missing from the model: " + sized() +
-                                     "; what is left then, these data cannot put to a test.";
-    case DiagnosisVerdict::family:
-      return fmt::format("Something of the family '{}' is missing; no name: {}.", name_of(d.family),
-                         d.withheld);
-    case DiagnosisVerdict::one_of: {
-      std::string sets;
-      for (const auto& names : d.candidates) {
-        std::string one;
-        for (const auto& name : names) one += (one.empty() ? "" : " + ") + name;
-        sets += (sets.empty() ? "" : ", ") + one;
-      }
-      return "One of {" + sets + "}; these data cannot tell which.";
-    }
-  }
-  return {};
-}
-
-std::string missing_force_sentence(const Diagnosis& d) {
-  if (!d.missing_force) return {};
-  const MissingForce& missing = *d.missing_force;
-  if (!missing.found())
-    return "The missing force was not found: " + missing.not_found_because + ".";
-  double largest = 0.0;
-  for (const MissingForceCurve& curve : missing.curves)
-    for (const double force : curve.force) largest = std::max(largest, std::abs(force));
-  std::string words;
-  for (const std::string& one : missing.in_words) words += (words.empty() ? "" : "; ") + one;
-  std::string text =
-      fmt::format("The missing force, up to {:.3g} N without a formula: {}.", largest, words);
-  if (missing.unseen_after)
-    text += fmt::format(" With it the gap at the unseen speed goes from {:.3g} to {:.3g}.",
-                        *missing.unseen_before, *missing.unseen_after);
-  return text;
-}
-
-std::string to_text(const Diagnosis& d) {
-  std::string text = "VERDICT   " + headline(d) + "\n";
-  if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
-  if (d.gap.before)
-    text +=
-        fmt::format("gap       {} -> {} (noise 1)\n", text_of(d.gap.before), text_of(d.gap.after));
-  if (d.held_out_speed)
-    text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
-                        text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
-  if (d.bootstrap.draws > 0) {
-    text +=
-        fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);
-    for (const SelectionFrequency& one : d.bootstrap.chosen)
-      text += fmt::format(
-          "{} {} {:.0f} %", &one == d.bootstrap.chosen.data() ? "" : ",",
-          one.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(one.effects, " + ")),
-          100.0 * one.share);
-    text += "\n";
-  }
-  for (const auto& cell : d.where) {
-    if (&cell - d.where.data() >= 5) break;
-    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n",
-                        d.seen->shots[cell.shot].impact.speed, name_of(cell.phase),
-                        name_of(cell.what), cell.z);
-  }
-  if (d.missing_force) text += fmt::format("force     {}\n", missing_force_sentence(d));
-  if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);
-  for (const auto& needed : d.needed) text += fmt::format("needed    {}\n", needed);
-  for (const auto& e : d.next)
-    text += fmt::format("next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
-                        e.separates[1], e.probability);
-  for (const auto& e : d.excluded)
-    text += fmt::format("excluded  {} above {:.3g} {}\n", e.name, e.size,
-                        or_one(size_unit(find_effect(e.name).card)));
-  for (const auto& warning : d.warnings) text += fmt::format("warning   {}\n", warning);
-  return text;
 }
 
 }  // namespace rebound

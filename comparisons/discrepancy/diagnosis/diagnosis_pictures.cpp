@@ -101,8 +101,10 @@ report::Matrix map_matrix(const Diagnosis& d) {
   std::sort(columns.begin(), columns.end());
   for (const auto& [phase, what] : columns)
     matrix.columns.push_back({name_of(what), name_of(phase)});
-  for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
-    report::MatrixRow row{d.seen->shots[i].label, {}};
+  const std::size_t shots = d.seen->shots.size();
+  for (std::size_t i = 0; i < shots + d.seen->compressions.size(); ++i) {
+    report::MatrixRow row{
+        i < shots ? d.seen->shots[i].label : d.seen->compressions[i - shots].label, {}};
     for (const auto& [phase, what] : columns) {
       report::MatrixCell cell{.value = {}, .text = "–"};
       for (const MapCell& c : map.cells)

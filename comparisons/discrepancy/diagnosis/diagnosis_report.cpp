@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 
@@ -118,6 +120,25 @@ report::Table excluded_table(const Diagnosis& d) {
   return table;
 }
 
+report::Table check_table(const std::string& title, const std::string& caption,
+                          const std::vector<DataCheck>& checks) {
+  report::Table table{.title = title,
+                      .caption = caption,
+                      .columns = {{"check", "", Kind::text, {}},
+                                  {"of", "", Kind::text, {}},
+                                  {"measured", "SI", Kind::number, Origin::measured},
+                                  {"expected", "SI", Kind::number, Origin::derived},
+                                  {"deviation", "σ", Kind::number, Origin::derived},
+                                  {"mended by", "", Kind::text, {}}},
+                      .rows = {}};
+  for (const DataCheck& one : checks)
+    table.rows.push_back({text_cell(one.what), text_cell(one.of), number_cell(one.measured, 4),
+                          number_cell(one.expected, 4),
+                          text_cell(fmt::format("{:+.1f}", one.deviations())),
+                          text_cell(one.mended_by)});
+  return table;
+}
+
 report::Table bootstrap_table(const SelectionBootstrap& bootstrap) {
   report::Table table{
       .title = "Chosen again",
@@ -156,9 +177,28 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
   report::Section section{
       .title = "Diagnosis: " + name, .folding = report::Section::Folding::open, .blocks = {}};
   section.blocks.push_back(report::Notice{level_of(d.verdict), headline(d)});
+  if (!d.contradictions.empty())
+    section.blocks.push_back(
+        check_table("The data contradict themselves",
+                    "Found without any model of the contact. Deviations are in standard deviations "
+                    "of the difference, all stated uncertainties in it.",
+                    d.contradictions));
+  std::vector<DataCheck> beside;
+  std::copy_if(d.checks.begin(), d.checks.end(), std::back_inserter(beside),
+               [](const DataCheck& one) { return one.compared_only; });
+  if (!beside.empty())
+    section.blocks.push_back(
+        check_table("Measured beside the impacts",
+                    "Slow compressions, block moduli and pooled peaks over what the believed model "
+                    "gives, fitted to the impacts. A difference is no fault of the data.",
+                    beside));
   if (d.seen) section.blocks.push_back(report::Paragraph{gap_sentence(d)});
   if (!d.withheld.empty())
     section.blocks.push_back(report::Paragraph{"No name: " + d.withheld + "."});
+  for (const ExplainedShare& one : d.nearest)
+    section.blocks.push_back(report::Paragraph{fmt::format(
+        "The nearest formula of this family: {} explains {:.0f} % of the gap by itself.",
+        one.effects.front(), 100.0 * one.share)});
   for (const auto& needed : d.needed)
     section.blocks.push_back(report::Paragraph{"Needed: " + needed + "."});
   if (!d.next.empty()) section.blocks.push_back(next_table(d));
@@ -180,6 +220,9 @@ std::vector<report::Section> diagnosis_sections(const Diagnosis& d, const std::s
     if (!d.excluded.empty()) section.blocks.push_back(excluded_table(d));
     if (!d.selection.cosines.names.empty()) details.blocks.push_back(cosine_matrix(d));
   }
+  if (!d.checks.empty())
+    details.blocks.push_back(
+        check_table("The data against themselves", "Every check that these data allow.", d.checks));
   for (const auto& warning : d.warnings)
     details.blocks.push_back(report::Notice{report::Notice::Level::warning, warning});
   if (details.blocks.empty()) return {section};

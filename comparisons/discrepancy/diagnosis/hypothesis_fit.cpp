@@ -21,12 +21,16 @@ constexpr int first_look_iterations = 10;
 
 /// N: samples that are alike count for less than as many that are not.
 double independent_data(const Observations& seen, const JointModel& model) {
-  std::vector<double> share;
-  for (const MeasuredImpact& shot : seen.shots)
+  std::vector<double> share, of_deflection;
+  for (const MeasuredImpact& shot : seen.shots) {
     share.push_back(effective_share(shot.noise.autocorrelation));
+    of_deflection.push_back(effective_share(shot.deflection_noise.autocorrelation));
+  }
   double count = 0.0;
   for (const DataRow& row : model.rows())
-    count += row.what == ObservedQuantity::force ? share[row.shot] : 1.0;
+    count += row.what == ObservedQuantity::force        ? share[row.shot]
+             : row.what == ObservedQuantity::deflection ? of_deflection[row.shot]
+                                                        : 1.0;
   return std::max(2.0, count);
 }
 

@@ -3,12 +3,6 @@
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/repeated_shots.hpp"
-#include "comparisons/inference/calibration/effective_residuals.hpp"
-#include "comparisons/inference/calibration/residual_slopes.hpp"
-#include "comparisons/inference/calibration/whitening.hpp"
-#include "comparisons/io/dataset/contact_window.hpp"
-#include "comparisons/models/instrument/reported_force.hpp"
-#include "comparisons/models/instrument/ring_down.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
 
@@ -57,12 +51,8 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
       impacts_(seen.shots.size()),
       first_of_group_(shots_that_share(seen, hypothesis.believed)),
       pairs_(seen.shots.size()) {
-  for (std::size_t i = 0; i < seen.shots.size(); ++i) {
-    for (const double time : seen.shots[i].trace.time)
-      rows_.push_back({i, ObservedQuantity::force, time});
-    for (const ScalarQuantity& scalar : scalar_quantities)
-      if ((seen.shots[i].*scalar.measured).has_error()) rows_.push_back({i, scalar.what, 0.0});
-  }
+  add_rows();
+  add_slow_factors();
   nuisances_.add_stated(seen, unknowns_);
   add_shots();
 }
@@ -108,16 +98,6 @@ std::vector<double> JointModel::start() const {
   std::vector<double> values;
   for (const auto& unknown : unknowns_) values.push_back(unknown.start);
   return values;
-}
-
-MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
-  MeasurementChain chain;
-  chain.shot = seen_.shots[shot].number;
-  chain.bandwidth = seen_.shots[shot].force_bandwidth.value_or(chain.bandwidth);
-  chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
-  apply_effects(effects_at(values), chain);
-  nuisances_.apply(values, shot, chain);
-  return chain;
 }
 
 LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::size_t shot) const {
@@ -204,87 +184,6 @@ std::vector<double> JointModel::impact_key(const std::vector<double>& values,
   key.push_back(chain.mass_error);
   key.push_back(chain.speed_error);
   return key;
-}
-
-double JointModel::first_touch(const std::vector<double>& values, std::size_t shot) const {
-  const auto found = starts_.find(shot);
-  return found == starts_.end() ? 0.0 : values[found->second];
-}
-
-std::vector<double> JointModel::force_at(const std::vector<double>& values, std::size_t shot,
-                                         const std::vector<double>& time) const {
-  const auto& [result, plate] = kept_impact(values, shot);
-  const MeasurementChain chain = chain_at(values, shot);
-  if (!plate.moves() && !hypothesis_.model_discrepancy)
-    return reported_force(result.trace, chain, time);
-  Trace force = with_ring_down(result.trace, plate,
-                               time.back() - chain.trigger_shift - result.trace.time.back());
-  if (hypothesis_.model_discrepancy)
-    force = hypothesis_.model_discrepancy->added_to(force, result.scalars, seen_.shots[shot].ball,
-                                                    seen_.shots[shot].impact.speed);
-  return reported_force(force, chain, time);
-}
-
-double JointModel::scalar_at(const std::vector<double>& values, std::size_t shot,
-                             const ScalarQuantity& scalar) const {
-  const LumpedResult& result = impact(values, shot);
-  const double itself = result.scalars.*scalar.modelled;
-  if (scalar.what == ObservedQuantity::contact_time)
-    return reported_contact_time(result.trace, itself, chain_at(values, shot).contact_threshold);
-  if (scalar.what == ObservedQuantity::peak_force) return reported(itself, chain_at(values, shot));
-  return itself;
-}
-
-std::vector<double> JointModel::block_at(const std::vector<double>& values,
-                                         std::size_t shot) const {
-  const MeasuredImpact& measured = seen_.shots[shot];
-  std::vector<double> block;
-  if (measured.has_history())
-    block = whitened(measured, force_at(values, shot, measured.trace.time));
-  for (const ScalarQuantity& scalar : scalar_quantities)
-    if (const Measured& one = measured.*scalar.measured; one.has_error())
-      block.push_back((scalar_at(values, shot, scalar) - *one.value) / *one.uncertainty);
-  return block;
-}
-
-const std::vector<double>& JointModel::block_of(const std::vector<double>& values,
-                                                std::size_t shot) const {
-  constexpr std::size_t most_blocks = 4;
-  std::vector<double> key;
-  for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
-    key.push_back(values[factor]);
-  for (std::size_t k = 0; k < effects_.count(); ++k)
-    for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
-  for (const NuisancePlace& place : nuisances_.places(shot)) key.push_back(values[place.unknown]);
-  auto& kept = blocks_[shot];
-  for (const Block& block : kept)
-    if (block.key == key) return block.residuals;
-  if (kept.size() == most_blocks) kept.erase(kept.begin());
-  kept.push_back({std::move(key), block_at(values, shot)});
-  return kept.back().residuals;
-}
-
-std::vector<double> JointModel::data_residuals(const std::vector<double>& values) const {
-  std::vector<double> residuals;
-  residuals.reserve(rows_.size() + unknowns_.size());
-  for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
-    const std::vector<double>& block = block_of(values, i);
-    residuals.insert(residuals.end(), block.begin(), block.end());
-  }
-  return residuals;
-}
-
-std::vector<double> JointModel::residuals(const std::vector<double>& values) const {
-  std::vector<double> residuals = data_residuals(values);
-  append_priors(unknowns_, values, residuals);
-  return residuals;
-}
-
-CalibrationProblem JointModel::problem() const {
-  return {.parameters = unknowns_,
-          .residuals = [this](const std::vector<double>& x) { return data_residuals(x); },
-          .noise = NoiseKnowledge::known,
-          .controls = {}};
 }
 
 }  // namespace rebound

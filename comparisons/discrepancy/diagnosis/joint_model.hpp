@@ -25,7 +25,7 @@ struct Hypothesis {
 
 /// What a residual row is about.
 struct DataRow {
-  std::size_t shot = 0;
+  std::size_t shot = 0;  ///< behind the shots: a slow compression
   ObservedQuantity what = ObservedQuantity::force;
   double time = 0.0;  ///< of a force sample, by the data's clock [s]
 };
@@ -40,6 +40,15 @@ struct DataRow {
 /// rise to the same share of their peaks. Damping that is given by a restitution
 /// and a formula follows from the restitution measured at each shot, where there
 /// is one.
+///
+/// A slow compression gives rows of F_slow − r F_static(x), and one row for the departure of r,
+///
+///   u/√(1 + u²/L),   u = ln r / 0.05,   L = ln N,   N the rows of the impacts
+///
+/// A model whose static force is that of the test keeps r = 1. One that does not, since it knows no
+/// memory, lets r go for what one fitted number costs: a slow test tells models apart, and
+/// contradicts none. A curve has a shape beside its scale, which r does not take.
+/// Tests of one ball share r.
 ///
 /// The believed numbers are starting points; nothing of them is held but what
 /// the formula or the ratios hold.
@@ -98,6 +107,13 @@ class JointModel {
   /// The reported force of a shot at given instants of its clock.
   std::vector<double> force_at(const std::vector<double>& values, std::size_t shot,
                                const std::vector<double>& time) const;
+  /// The reported deflection of a shot, of an instrument of its own.
+  std::vector<double> deflection_at(const std::vector<double>& values, std::size_t shot,
+                                    const std::vector<double>& time) const;
+  /// A shot as it would have been seen, without noise: its record and the scalars it states.
+  MeasuredImpact as_seen(const std::vector<double>& values, std::size_t shot) const;
+  /// These values with nothing wrong in what only priors hold: gain, zero, speeds, mass.
+  std::vector<double> without_nuisances(std::vector<double> values) const;
   /// First touch of a shot by its own clock [s]; zero without a history.
   double first_touch(const std::vector<double>& values, std::size_t shot) const;
   const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
@@ -131,6 +147,9 @@ class JointModel {
   const std::vector<double>& block_of(const std::vector<double>& values, std::size_t shot) const;
   std::vector<double> block_at(const std::vector<double>& values, std::size_t shot) const;
 
+  void add_rows();
+  void add_slow_factors();
+  std::vector<double> slow_block_at(const std::vector<double>& values, std::size_t test) const;
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();
@@ -144,6 +163,8 @@ class JointModel {
   EffectUnknowns effects_;
   NuisanceUnknowns nuisances_;
   std::vector<DataRow> rows_;
+  /// ln of the slow over the impact stiffness, of each compression that takes part.
+  std::map<std::size_t, std::size_t> slow_factors_;
   std::map<std::size_t, std::size_t> starts_;  ///< unknown of each shot with a history
   std::vector<std::size_t> shot_nuisances_;
   /// Of each shot the last few: a difference by one shot's own start moves no other shot.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/prepare_histories.hpp"
+#include "comparisons/discrepancy/diagnosis/slow_compressions.hpp"
 
 namespace rebound {
 namespace {
@@ -14,17 +15,33 @@ namespace {
 constexpr double assumed_gain_uncertainty = 0.02;
 constexpr double assumed_speed_uncertainty = 0.005;
 
-/// Which scalars a fit may use: beside a history the restitution alone.
-void keep_usable_scalars(MeasuredImpact& shot, bool with_history, Observations& seen) {
+/// Is a scalar read off the record beside it, or off one that nobody handed on? By what the data
+/// set says: it lists scalars of instruments of their own, and where its deflections are from.
+bool repeats_record(const ScalarQuantity& scalar, const MeasuredImpact& shot,
+                    const Instrument& instrument) {
+  const auto& own = instrument.independent_scalars;
+  const bool listed = std::find(own.begin(), own.end(), scalar.key) != own.end();
+  const bool of_deflection = scalar.what == ObservedQuantity::peak_deflection ||
+                             scalar.what == ObservedQuantity::mean_deflection;
+  if (scalar.what == ObservedQuantity::restitution || listed) return false;
+  const bool independent = shot.deflection == DeflectionOrigin::independent;
+  if (!of_deflection) return shot.has_history();
+  if (!shot.has_history()) return scalar.what == ObservedQuantity::mean_deflection && !independent;
+  return !independent || !shot.trace.deflection.empty();
+}
+
+/// Which scalars a fit may use: those that repeat a record are compared with it, and no data.
+void keep_usable_scalars(MeasuredImpact& shot, const Instrument& instrument, Observations& seen) {
   for (const ScalarQuantity& scalar : scalar_quantities) {
     Measured& measured = shot.*scalar.measured;
-    const bool is_restitution = scalar.what == ObservedQuantity::restitution;
-    const bool repeats =
-        !is_restitution && (with_history || (scalar.what == ObservedQuantity::mean_deflection &&
-                                             shot.deflection != DeflectionOrigin::independent));
-    if (repeats || !measured.value) {
+    if (!measured.value) {
       measured = {};
-    } else if (!measured.has_error()) {
+      continue;
+    }
+    measured.repeats_record = repeats_record(scalar, shot, instrument);
+    if (!measured.is_stated()) {
+      if (measured.repeats_record) measured = {};
+      if (!measured.value) continue;
       seen.warnings.push_back(fmt::format("{}: the {} has no uncertainty and is not used",
                                           shot.label, name_of(scalar.what)));
       measured.uncertainty.reset();
@@ -74,7 +91,7 @@ void add_shot(const Dataset& dataset, const MeasuredImpact& measured, std::size_
     seen.warnings.push_back(fmt::format("{}: speed uncertainty unknown, {:.3g} % assumed",
                                         shot.label, 100 * assumed_speed_uncertainty));
   }
-  keep_usable_scalars(shot, shot.has_history(), seen);
+  keep_usable_scalars(shot, dataset.instrument, seen);
   seen.shots.push_back(std::move(shot));
 }
 
@@ -99,7 +116,8 @@ Observations observe(const std::vector<Dataset>& datasets) {
       shot.number = ++number;
       add_shot(dataset, shot, ball, seen);
     }
-    prepare_histories(dataset.name, first, seen);
+    prepare_histories(dataset, first, seen);
+    add_slow_tests(dataset, ball, seen);
     const auto& gain = dataset.instrument.force_gain_uncertainty;
     const bool has_force = std::any_of(dataset.shots.begin(), dataset.shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });

@@ -17,8 +17,11 @@ namespace rebound {
 /// stated, from either side, the scatter is taken, with a warning. Rounding to the steps of a
 /// recorder is added, with a warning (quantisation.hpp).
 /// Histories of more than about 600 samples a contact (fewer where a data set has more than ten
-/// shots, down to 150) are averaged in blocks, their noise with them. Beside a history only the
-/// restitution is kept as a scalar: the other scalars repeat what the history says. Two data sets
+/// shots, down to 150) are averaged in blocks, their noise with them. Deflections take part beside
+/// the force where an instrument of their own gave them (settle_deflections.hpp). Scalars beside a
+/// history are data where the data set names them as those of another instrument, the restitution
+/// always, a deflection where it is independent and has no history; the others repeat the record:
+/// they are compared with it (data_checks.hpp) and not fitted. Two data sets
 /// whose mass and diameter agree within their uncertainties are of one ball.
 ///
 /// Caution: without samples before contact noise is taken as white, with a warning.

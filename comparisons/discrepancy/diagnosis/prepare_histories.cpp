@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/settle_deflections.hpp"
 #include "comparisons/discrepancy/diagnosis/whole_impact.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
@@ -47,15 +49,19 @@ void average(MeasuredImpact& shot, std::size_t block) {
   const Trace fine = std::move(shot.trace);
   shot.trace = {};
   shot.noise.deviation /= std::sqrt(static_cast<double>(block));
-  for (std::size_t i = 0; i + block <= fine.time.size(); i += block) {
-    double time = 0.0, force = 0.0;
-    for (std::size_t j = i; j < i + block; ++j) {
-      time += fine.time[j];
-      force += fine.force[j];
+  shot.deflection_noise.deviation /= std::sqrt(static_cast<double>(block));
+  const auto means = [&](const std::vector<double>& column) {
+    std::vector<double> coarse;
+    for (std::size_t i = 0; i + block <= column.size(); i += block) {
+      double sum = 0.0;
+      for (std::size_t j = i; j < i + block; ++j) sum += column[j];
+      coarse.push_back(sum / static_cast<double>(block));
     }
-    shot.trace.time.push_back(time / static_cast<double>(block));
-    shot.trace.force.push_back(force / static_cast<double>(block));
-  }
+    return coarse;
+  };
+  shot.trace.time = means(fine.time);
+  shot.trace.force = means(fine.force);
+  shot.trace.deflection = means(fine.deflection);
 }
 
 /// A whole record, made coarse enough, and where its contact is.
@@ -171,6 +177,16 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
         noise.autocorrelation.front(), noise.autocorrelation.size());
 }
 
+/// Mean of the force before contact, and how well it is known.
+void settle_zero(const Record& record, ForceNoise& noise) {
+  const std::span<const double> quiet = record.quiet();
+  if (quiet.size() < fewest_quiet || !(noise.deviation > 0.0)) return;
+  const auto count = static_cast<double>(quiet.size());
+  noise.zero = std::accumulate(quiet.begin(), quiet.end(), 0.0) / count;
+  const double independent = std::max(1.0, count * effective_share(noise.autocorrelation));
+  noise.zero_error = noise.deviation / std::sqrt(independent);
+}
+
 /// Leaves the contact with some of the quiet before and after it; no history where nothing
 /// tells the noise.
 void keep_contact(const Record& record, MeasuredImpact& shot) {
@@ -184,11 +200,12 @@ void keep_contact(const Record& record, MeasuredImpact& shot) {
   };
   shot.trace.time = part(record.trace.time);
   shot.trace.force = part(record.trace.force);
+  if (shot.deflection_noise.deviation > 0.0) shot.trace.deflection = part(record.trace.deflection);
 }
 
 }  // namespace
 
-void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen) {
+void prepare_histories(const Dataset& dataset, std::size_t first, Observations& seen) {
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     if (seen.shots[i].has_history()) keep_whole_impact(seen.shots[i], seen.warnings);
   std::vector<std::size_t> histories;
@@ -201,9 +218,14 @@ void prepare_histories(const std::string& dataset, std::size_t first, Observatio
   std::vector<Record> records;
   records.reserve(histories.size());
   for (const std::size_t i : histories) records.push_back(prepare_record(i, interval, seen));
-  settle_noise(dataset, records, seen);
+  settle_noise(dataset.name, records, seen);
+  std::vector<WholeRecord> whole;
+  whole.reserve(records.size());
+  for (const Record& record : records) whole.push_back({record.shot, &record.trace});
+  settle_deflections(dataset, whole, seen);
   for (const Record& record : records) {
     MeasuredImpact& shot = seen.shots[record.shot];
+    settle_zero(record, shot.noise);
     keep_contact(record, shot);
     if (!shot.has_history())
       seen.missing.push_back(shot.label +

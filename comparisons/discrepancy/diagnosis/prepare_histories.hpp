@@ -1,8 +1,9 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
 
 #include "comparisons/inference/calibration/observations.hpp"
+#include "comparisons/io/dataset/dataset.hpp"
 
 namespace rebound {
 
@@ -10,6 +11,6 @@ namespace rebound {
 /// impact go; noise, its colour and its rounding are settled from the whole records, which are then
 /// cut to the contact with some of the quiet around it. observe() says the rules. A shot whose
 /// noise nothing tells loses its history, and says so among what is missing.
-void prepare_histories(const std::string& dataset, std::size_t first, Observations& seen);
+void prepare_histories(const Dataset& dataset, std::size_t first, Observations& seen);
 
 }  // namespace rebound

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 
 #include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 
 namespace rebound {
 namespace {
@@ -147,44 +147,6 @@ void locate(Diagnosis& d) {
   });
 }
 
-void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
-  d.verdict = weaker;
-  d.withheld = why;
-  if (weaker == DiagnosisVerdict::unexplained) d.family = EffectFamily::none;
-  d.effects.clear();
-  // The repair of a formula that contradicts its own restitution stands by itself.
-  const HypothesisFit& baseline = d.selection.baseline.fit;
-  for (std::size_t k = d.believed_effects; k < baseline.effects.size(); ++k)
-    d.effects.push_back(named_effect(baseline, k));
-}
-
-/// Is a gap at the unseen speed no chance, and large enough to contradict "agrees"?
-bool is_plain(double reduced_chi_square, double deviation) {
-  constexpr double plain = 0.5, noise_deviations = 6.0;
-  return reduced_chi_square - 1.0 > std::max(plain, noise_deviations * deviation);
-}
-
-/// The one of several shots that stands apart while the others are within the noise.
-std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps) {
-  std::optional<std::size_t> odd;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (!is_plain(gaps[i].reduced_chi_square, gaps[i].deviation())) continue;
-    if (odd) return std::nullopt;
-    odd = i;
-  }
-  return gaps.size() > 1 ? odd : std::nullopt;
-}
-
-/// A shot that contradicts its own repeats is a fault of that shot.
-void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
-  d.verdict = DiagnosisVerdict::measurement_fault;
-  d.family = EffectFamily::measurement;
-  d.candidates = {{"odd-shot"}};
-  d.fault = fmt::format("odd-shot (shot {}, {}), which contradicts its own repeats", shot.number,
-                        shot.label);
-  d.excluded.clear();
-}
-
 }  // namespace
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
@@ -208,56 +170,9 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
   }
 }
 
-void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
-  if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
-    if (const auto odd = odd_one_of(d.unseen_before->of_shots))
-      suspect_shot(d, d.unseen->shots[*odd]);
-    else if (is_plain(*d.gap.held_out_before, d.gap.held_out_noise))
-      withhold(
-          d, DiagnosisVerdict::unexplained,
-          fmt::format("the believed model agrees with what was fitted, but at the unseen speed "
-                      "the gap is {:.3g}: the shots contradict each other, or something acts "
-                      "at that speed alone",
-                      *d.gap.held_out_before));
-    return;
-  }
-  const bool names = d.verdict == DiagnosisVerdict::missing ||
-                     d.verdict == DiagnosisVerdict::one_of || d.verdict == DiagnosisVerdict::family;
-  if (!names || !d.gap.held_out_before || !d.gap.held_out_after) return;
-  if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
-  constexpr double deviations = 3.0, worth_having = 0.5;
-  const double noise = deviations * d.gap.held_out_noise;
-  const double excess = *d.gap.held_out_before - 1.0;
-  if (excess <= noise) {
-    if (d.verdict == DiagnosisVerdict::missing)
-      withhold(
-          d,
-          d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
-          "the believed model predicts the unseen speed within the noise, so that nothing "
-          "is seen to improve there");
-    return;
-  }
-  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
-  if (removed >= worth_having * excess) return;
-  withhold(d, DiagnosisVerdict::unexplained,
-           fmt::format("{} explains what was fitted, but at the unseen speed the gap goes from "
-                       "{:.3g} to {:.3g}",
-                       label_of(d.best().effects), *d.gap.held_out_before, *d.gap.held_out_after));
-}
-
-void withhold_what_repetition_denies(Diagnosis& d, const SelectionRules& rules) {
-  if (d.verdict != DiagnosisVerdict::missing || d.bootstrap.draws == 0) return;
-  for (std::size_t k = d.selection.baseline.fit.effects.size(); k < d.best().effects.size(); ++k) {
-    const std::string& name = d.best().effects[k].name;
-    const double share = d.bootstrap.inclusion(name);
-    if (share >= rules.least_inclusion) continue;
-    withhold(
-        d,
-        d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
-        fmt::format("{} would be chosen in {:.0f} % of repeated measurements only", name,
-                    100.0 * share));
-    return;
-  }
+void find_nearest_formulas(Diagnosis& d) {
+  if (d.verdict == DiagnosisVerdict::family)
+    d.nearest = nearest_formulas(d.family, explained_shares(d, d.best()));
 }
 
 }  // namespace rebound

@@ -16,16 +16,7 @@ namespace rebound {
 ///   unexplained        no candidate
 void conclude(Diagnosis& diagnosis, const SelectionRules& rules);
 
-/// What the speed that was kept from every fit says of a verdict that names something, once it
-/// has been predicted before and after.
-///
-///   χ² before not above the noise     the gap does not show there: the family, without a name
-///   less than half of it removed      the candidate does not predict: unexplained
-///
-/// A prediction that is better is no proof of a name; one that is not better is proof against it.
-void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis);
-
-/// An effect that repeated measurements would often not choose again carries no name.
-void withhold_what_repetition_denies(Diagnosis& diagnosis, const SelectionRules& rules);
+/// Where the verdict is a family: its formulas that come nearest.
+void find_nearest_formulas(Diagnosis& diagnosis);
 
 }  // namespace rebound

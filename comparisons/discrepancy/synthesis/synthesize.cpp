@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "comparisons/io/dataset/contact_window.hpp"
+#include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "comparisons/models/instrument/ring_down.hpp"
 #include "lumped/problem/error.hpp"
@@ -64,6 +65,11 @@ Trace record(const Recording& recording, const SimulatedImpact& impact, Normal& 
   trace.force = reported_force(contact, chain, trace.time);
   const double noise = recording.file.instrument.force_noise.value_or(0.0);
   for (double& force : trace.force) force += noise * normal();
+  if (recording.file.instrument.deflection == DeflectionOrigin::independent) {
+    trace.deflection = reported_deflection(impact.trace, chain, trace.time);
+    const double scatter = recording.file.instrument.deflection_noise.value_or(0.0);
+    for (double& deflection : trace.deflection) deflection += scatter * normal();
+  }
   return trace;
 }
 
@@ -127,6 +133,8 @@ Synthesis synthesize(const SynthesisFile& file, const ImpactSimulator& simulate,
   const double mass_error = file.mass_uncertainty / file.sphere.mass * common();
   recording.true_sphere.mass /= 1.0 + recording.chain.mass_error + mass_error;
   result.true_mass = recording.true_sphere.mass;
+  const double deflection_gain =
+      file.instrument.deflection_gain_uncertainty.value_or(0.0) * common();
 
   std::uint64_t stream = 0;
   int total = 0;
@@ -138,6 +146,7 @@ Synthesis synthesize(const SynthesisFile& file, const ImpactSimulator& simulate,
       Normal normal(file.seed, ++stream);
       recording.chain = chain_of(file, dataset.shots.size() + 1);
       recording.chain.force_gain += result.true_force_gain;
+      recording.chain.deflection_gain = deflection_gain;
       const double reported = wanted.speed + wanted.speed_uncertainty.value_or(0.0) * normal();
       const double speed = reported / (1.0 + recording.chain.speed_error);
       const SimulatedImpact impact = simulate(recording.true_sphere, {.speed = speed});

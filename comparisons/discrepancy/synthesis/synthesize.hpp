@@ -43,6 +43,8 @@ struct Synthesis {
 ///   speed        drawn for every shot from its own
 ///   force        reported_force() of the impact on an even time grid, plus
 ///                white noise of the stated standard deviation
+///   deflection   where it is independent, reported_deflection() of the impact on the same grid
+///                plus white noise of its own; its scale is drawn as the gain is
 ///   scalars      with their stated errors
 ///
 /// Every shot has its own stream of numbers from seed and place, so that data

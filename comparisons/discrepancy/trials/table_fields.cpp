@@ -156,6 +156,11 @@ void append_outcome(std::vector<TableField>& fields) {
                     [](const std::string& text, TrialRecord& r) {
                       r.outcome.said.candidates = candidates_of(text);
                     }});
+  fields.push_back({"nearest",
+                    [](const TrialRecord& r) { return joined(r.outcome.said.nearest, '|'); },
+                    [](const std::string& text, TrialRecord& r) {
+                      if (!text.empty()) r.outcome.said.nearest = parts_of(text, '|');
+                    }});
   fields.push_back(field("size", outcome, &TrialOutcome::size));
   fields.push_back(field("size_low", outcome, &TrialOutcome::size_low));
   fields.push_back(field("size_high", outcome, &TrialOutcome::size_high));

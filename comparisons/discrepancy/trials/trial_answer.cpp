@@ -49,14 +49,16 @@ Json to_json(const TrialAnswer& answer) {
   return {{"verdict", answer.verdict},
           {"family", answer.family},
           {"candidates", answer.candidates},
-          {"named", answer.named}};
+          {"named", answer.named},
+          {"nearest", answer.nearest}};
 }
 
 TrialAnswer trial_answer_from(const Json& json) {
   return {.verdict = json.at("verdict"),
           .family = json.at("family"),
           .candidates = json.at("candidates"),
-          .named = json.at("named")};
+          .named = json.at("named"),
+          .nearest = json.at("nearest")};
 }
 
 }  // namespace rebound

@@ -14,6 +14,7 @@ struct TrialAnswer {
   std::string family;   ///< empty: none said
   std::vector<std::vector<std::string>> candidates;  ///< sets of effects not to be told apart
   std::string named;  ///< the one effect that is said; empty: none, or more than one
+  std::vector<std::string> nearest{};  ///< where a family is said: its formulas that come nearest
 
   friend bool operator==(const TrialAnswer&, const TrialAnswer&) = default;
 };

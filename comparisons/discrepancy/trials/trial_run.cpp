@@ -79,6 +79,7 @@ void describe_verdict(const Diagnosis& d, TrialOutcome& outcome) {
   outcome.said.verdict = name_of(d.verdict);
   if (d.family != EffectFamily::none) outcome.said.family = name_of(d.family);
   outcome.said.candidates = d.candidates;
+  for (const ExplainedShare& one : d.nearest) outcome.said.nearest.push_back(one.effects.front());
   outcome.held_out_before = d.gap.held_out_before;
   outcome.held_out_after = d.gap.held_out_after;
   outcome.held_out_noise = d.gap.held_out_noise;

@@ -6,20 +6,12 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/trials/trial_controls.hpp"
+#include "comparisons/discrepancy/trials/trial_gates.hpp"
 
 namespace rebound {
 namespace {
 
-/// The shares behind the gates.
-struct Counts {
-  Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
-      wrong_family, abstained, name_right, wrong_name;
-  Share separable_family_right, separable_name_right;
-  Share out_of_family_said, visibly_out_of_family_said, out_of_family_named, unseen_better,
-      coverage, pairs_both, visible_pairs_both, pairs_not_false;
-};
-
-void count_null(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+void count_null(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
   counts.false_alarm.add(says_gap(said));
   if (truth.noise_stated == "half" || truth.noise_stated == "twice")
     counts.false_alarm_misstated.add(says_gap(said));
@@ -33,7 +25,7 @@ bool shows_beside_the_nearest(const TrialTruth& truth) {
              smallest_visible_chi_square;
 }
 
-void count_outside(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+void count_outside(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
   counts.out_of_family_said.add(said.verdict == "unexplained");
   if (shows_beside_the_nearest(truth))
     counts.visibly_out_of_family_said.add(said.verdict == "unexplained");
@@ -47,7 +39,7 @@ bool is_separable(const std::optional<double>& nearest) {
 }
 
 /// The same two shares, of those effects that could be told from all others.
-void count_separable(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+void count_separable(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
   const TrialEffect& effect = truth.effects.front();
   if (is_separable(truth.nearest_family))
     counts.separable_family_right.add(family_said(said) == effect.family);
@@ -55,19 +47,23 @@ void count_separable(const TrialTruth& truth, const TrialAnswer& said, Counts& c
     counts.separable_name_right.add(name_is_said(said, effect.registry_name));
 }
 
-void count_single(const TrialEffect& truth, const TrialAnswer& said, Counts& counts) {
+void count_single(const TrialEffect& truth, const TrialAnswer& said, TrialCounts& counts) {
   const std::string family = family_said(said);
   counts.detected.add(says_gap(said));
   counts.family_right.add(family == truth.family);
   if (!family.empty()) counts.family_right_where_said.add(family == truth.family);
   counts.wrong_family.add(!family.empty() && family != truth.family);
   counts.abstained.add(family.empty());
-  if (!truth.registry_name.empty())  // else there is no right one
-    counts.name_right.add(name_is_said(said, truth.registry_name));
+  if (!truth.registry_name.empty()) {  // else there is no right one
+    const bool right = name_is_said(said, truth.registry_name);
+    counts.name_right.add(right);
+    counts.name_or_nearest.add(right || std::find(said.nearest.begin(), said.nearest.end(),
+                                                  truth.registry_name) != said.nearest.end());
+  }
   counts.wrong_name.add(said.verdict == "missing" && said.named != truth.registry_name);
 }
 
-void count_pair(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+void count_pair(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
   const bool first = in_a_candidate(said, truth.effects[0].registry_name),
              second = in_a_candidate(said, truth.effects[1].registry_name);
   counts.pairs_both.add(first && second);
@@ -79,7 +75,7 @@ bool counts_at_all(const TrialTruth& truth) {
   return truth.effects.empty() || truth.visible_chi_square >= smallest_visible_chi_square;
 }
 
-void count_answer(const TrialTruth& truth, const TrialAnswer& said, Counts& counts) {
+void count_answer(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
   if (truth.effects.empty())
     count_null(truth, said, counts);
   else if (truth.effects.size() > 1)
@@ -109,44 +105,6 @@ void count_unseen(const TrialOutcome& o, Share& better) {
     return;
   const double removed = *o.held_out_before - std::max(1.0, *o.held_out_after);
   better.add(removed >= gone * (*o.held_out_before - 1.0));
-}
-
-std::vector<TrialGate> gates_of(const Counts& c) {
-  return {
-      {.what = "false alarms on nulls",
-       .share = c.false_alarm,
-       .most = 0.05,
-       .most_of_upper_bound = 0.075},
-      {.what = "false alarms on nulls, noise misstated by 2",
-       .share = c.false_alarm_misstated,
-       .most = 0.10},
-      {.what = "effects that show: a gap is said", .share = c.detected},
-      {.what = "family right", .share = c.family_right, .least = 0.90},
-      {.what = "family right, of those that say one", .share = c.family_right_where_said},
-      {.what = "wrong family", .share = c.wrong_family, .most = 0.03},
-      {.what = "abstained from a family", .share = c.abstained},
-      {.what = "name right or in the set", .share = c.name_right, .least = 0.75},
-      {.what = "family right, unlike all other families",
-       .share = c.separable_family_right,
-       .least = 0.90},
-      {.what = "name right or in the set, unlike all other names",
-       .share = c.separable_name_right,
-       .least = 0.75},
-      {.what = "confidently wrong name", .share = c.wrong_name, .most = 0.03},
-      {.what = "outside every family: said so", .share = c.out_of_family_said, .least = 0.80},
-      {.what = "outside, and shows beside the nearest of any family: said so",
-       .share = c.visibly_out_of_family_said,
-       .least = 0.80},
-      {.what = "outside every family: named", .share = c.out_of_family_named, .most = 0.10},
-      {.what = "four fifths of the gap gone at the unseen speed",
-       .share = c.unseen_better,
-       .least = 0.85},
-      {.what = "size within its 95 % interval", .share = c.coverage, .least = 0.90, .most = 0.98},
-      {.what = "two effects: both in a candidate", .share = c.pairs_both, .least = 0.75},
-      {.what = "two effects that show beside the nearest single one: both in a candidate",
-       .share = c.visible_pairs_both,
-       .least = 0.75},
-      {.what = "two effects: nothing false named", .share = c.pairs_not_false, .least = 0.90}};
 }
 
 std::string row_of(const TrialTruth& truth) {
@@ -181,7 +139,7 @@ void gather_times(const std::vector<TrialRecord>& records, TrialScores& scores) 
 
 void gather_controls(const std::vector<TrialRecord>& records, TrialScores& scores) {
   for (const ControlName& name : control_names) {
-    Counts counts;
+    TrialCounts counts;
     for (const TrialRecord& record : records)
       if (const auto control = record.outcome.controls.find(name.key);
           control != record.outcome.controls.end() && counts_at_all(record.truth))
@@ -210,15 +168,10 @@ void gather_details(const TrialRecord& record, TrialScores& scores) {
 
 }  // namespace
 
-bool TrialGate::passes() const {
-  return share.of > 0 && share.value() >= least && share.value() <= most &&
-         (most_of_upper_bound >= 1.0 || share.high() <= most_of_upper_bound);
-}
-
 TrialScores score_trials(const TrialCollection& trials) {
   TrialScores scores{.trials = static_cast<int>(trials.records.size()),
                      .protocols = trials.protocols};
-  Counts counts;
+  TrialCounts counts;
   int sets = 0, with_candidates = 0;
   for (const TrialRecord& record : trials.records) {
     const TrialTruth& truth = record.truth;

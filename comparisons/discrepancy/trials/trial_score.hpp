@@ -4,23 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/trials/trial_gates.hpp"
 #include "comparisons/discrepancy/trials/trial_rates.hpp"
 #include "comparisons/discrepancy/trials/trial_run.hpp"
-#include "comparisons/discrepancy/trials/trial_share.hpp"
 
 namespace rebound {
-
-/// A share and what is asked of it.
-struct TrialGate {
-  std::string what;
-  Share share;
-  double least = 0.0, most = 1.0;    ///< of the share
-  double most_of_upper_bound = 1.0;  ///< of the upper end of its interval
-
-  /// Is anything asked of it, or is it there to be read?
-  bool is_asked() const { return least > 0.0 || most < 1.0 || most_of_upper_bound < 1.0; }
-  bool passes() const;
-};
 
 /// Counts by what was hidden, then by what was said of it.
 using ConfusionMatrix = std::map<std::string, std::map<std::string, int>>;

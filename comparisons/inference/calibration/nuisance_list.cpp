@@ -129,11 +129,54 @@ NuisanceKind mass_error() {
                      }}};
 }
 
+/// Nothing in a force moves with it.
+double no_slope(const DatumWithSensitivities&, double, const MeasurementChain&) {
+  return 0.0;
+}
+
+bool has_deflection(const MeasuredImpact& shot) {
+  return shot.deflection_noise.deviation > 0.0;
+}
+
+NuisanceKind deflection_gain_error() {
+  return {.name = "deflection-gain",
+          .unit = "",
+          .error = &MeasurementChain::deflection_gain,
+          .slope = no_slope,
+          .asked = {.label = "deflection gain"},
+          .stated = {.scope = NuisanceScope::all_shots,
+                     .label = "deflection gain",
+                     .deviation = [](const Observations& seen, std::size_t) {
+                       const bool any =
+                           std::any_of(seen.shots.begin(), seen.shots.end(), has_deflection);
+                       return any ? seen.deflection_gain_uncertainty : 0.0;
+                     }}};
+}
+
+/// The instant of first touch, by which a deflection is set to zero, is read off the record.
+NuisanceKind deflection_zero_error() {
+  constexpr double of_largest = 0.02;
+  return {.name = "deflection-zero",
+          .unit = "m",
+          .error = &MeasurementChain::deflection_zero,
+          .slope = no_slope,
+          .asked = {.label = "zero of the deflection"},
+          .stated = {.scope = NuisanceScope::each_shot,
+                     .label = "zero of the deflection",
+                     .deviation = [](const Observations& seen, std::size_t shot) {
+                       const MeasuredImpact& one = seen.shots[shot];
+                       if (!has_deflection(one)) return 0.0;
+                       const auto& x = one.trace.deflection;
+                       return of_largest * *std::max_element(x.begin(), x.end());
+                     }}};
+}
+
 }  // namespace
 
 const std::vector<NuisanceKind>& all_nuisances() {
-  static const std::vector<NuisanceKind> list = {gain_error(),   trigger_error(), baseline_error(),
-                                                 wander_error(), speed_error(),   mass_error()};
+  static const std::vector<NuisanceKind> list = {
+      gain_error(),  trigger_error(), baseline_error(),        wander_error(),
+      speed_error(), mass_error(),    deflection_gain_error(), deflection_zero_error()};
   return list;
 }
 

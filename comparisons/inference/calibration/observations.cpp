@@ -18,6 +18,8 @@ std::string name_of(ObservedQuantity observable) {
     case ObservedQuantity::peak_force: return "peak-force";
     case ObservedQuantity::peak_deflection: return "deflection";
     case ObservedQuantity::mean_deflection: return "mean-deflection";
+    case ObservedQuantity::deflection: return "deflection-history";
+    case ObservedQuantity::quasistatic: return "quasistatic";
   }
   return {};
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/io/dataset/measured_impact.hpp"
+#include "comparisons/io/dataset/dataset.hpp"
 
 namespace rebound {
 
@@ -14,6 +14,30 @@ struct Ball {
   double mass_uncertainty = 0.0;  ///< one standard deviation [kg]
 };
 
+/// A slow compression of a whole ball, from zero on.
+struct SlowCompression {
+  std::string label;
+  std::size_t ball = 0;
+  int platens = 1;                 ///< 2: the deflection is shared by two contacts
+  double duration = 10.0;          ///< of the loading [s]
+  std::vector<double> deflection;  ///< as measured, of all contacts together [m]
+  std::vector<double> force;       ///< [N]
+  std::vector<double> error;       ///< one standard deviation [N]
+  bool compared_only = false;      ///< its uncertainty is assumed
+};
+
+/// Young's modulus of a block of a ball's material.
+struct BlockModulus {
+  std::size_t ball = 0;
+  Measured modulus;  ///< [Pa]
+};
+
+/// Peaks typical of several balls, beside one of them.
+struct PeaksBeside {
+  std::size_t ball = 0;
+  PooledPeak peak;
+};
+
 /// What a joint fit looks at: impacts of one ball or several, and how well they were measured.
 ///
 /// A history is fitted where an impact has one, with the noise it states; of the scalars those
@@ -21,7 +45,11 @@ struct Ball {
 struct Observations {
   std::vector<Ball> balls;
   std::vector<MeasuredImpact> shots;  ///< labels: no two are alike
-  double gain_uncertainty = 0.0;      ///< of the force scale, one standard deviation [-]
+  std::vector<SlowCompression> compressions{};
+  std::vector<BlockModulus> blocks{};        ///< compared only
+  std::vector<PeaksBeside> pooled_peaks{};   ///< compared only
+  double gain_uncertainty = 0.0;             ///< of the force scale, one standard deviation [-]
+  double deflection_gain_uncertainty = 0.0;  ///< of that of independent deflections [-]
   /// Independent samples that told the size or the colour of the noise; 0: it is known.
   double noise_freedom = 0.0;
   std::string noise_from;             ///< in words, e.g. "stated by the data set"

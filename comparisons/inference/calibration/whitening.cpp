@@ -57,4 +57,14 @@ std::vector<double> whitened(const MeasuredImpact& measured, const std::vector<d
   return r;
 }
 
+std::vector<double> whitened_deflections(const MeasuredImpact& measured, const SampleRange& range,
+                                         const std::vector<double>& model) {
+  std::vector<double> r(model.size());
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] = (model[i] - measured.trace.deflection[range.first + i]) /
+           measured.deflection_noise.deviation;
+  take_out_correlation(measured.deflection_noise, r);
+  return r;
+}
+
 }  // namespace rebound

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "comparisons/io/dataset/contact_window.hpp"
 #include "comparisons/io/dataset/measured_impact.hpp"
 
 /// From differences in newtons to residuals of unit variance: W r with WᵀW the inverse of the
@@ -16,6 +17,10 @@ namespace rebound {
 ///
 /// Limit: u = 0 divides by σ alone -> test WhiteningTest.SharedErrorBoundsABlock.
 std::vector<double> whitened(const MeasuredImpact& measured, const std::vector<double>& model);
+
+/// The same of the deflections, over the samples in `range`; `model` is over them alone.
+std::vector<double> whitened_deflections(const MeasuredImpact& measured, const SampleRange& range,
+                                         const std::vector<double>& model);
 
 /// The part of W that is not division by σ, in place on rows that are divided already:
 /// residuals (`width` 1) or their slopes (`width` the number of unknowns).

@@ -8,6 +8,7 @@ MeasuredImpact completed(const Dataset& dataset, MeasuredImpact shot) {
   shot.force_bandwidth = dataset.instrument.force_bandwidth;
   shot.noise.deviation = dataset.instrument.force_noise.value_or(0.0);
   shot.deflection = dataset.instrument.deflection;
+  shot.deflection_noise.deviation = dataset.instrument.deflection_noise.value_or(0.0);
   return shot;
 }
 

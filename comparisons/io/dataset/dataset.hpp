@@ -16,6 +16,10 @@ struct Instrument {
   std::optional<double> contact_threshold;       ///< force that starts and ends contact [N]
   std::optional<double> camera_rate;             ///< [Hz]
   DeflectionOrigin deflection = DeflectionOrigin::unknown;
+  std::optional<double> deflection_noise;             ///< one σ per sample [m]
+  std::optional<double> deflection_gain_uncertainty;  ///< relative, one σ [-]
+  /// Scalars, by their keys, that another instrument than the force record gave.
+  std::vector<std::string> independent_scalars;
 };
 
 /// A slow compression of the whole ball, deflection against force.
@@ -29,7 +33,9 @@ struct Quasistatic {
   int platens = 1;
   std::string trace_file;
   std::optional<ForceDeflectionCurve> curve;
-  Measured stiffness;  ///< κ of F = κ x^1.5 [N/m^1.5]
+  std::optional<double> force_uncertainty;  ///< relative, of the curve's shape, one σ [-]
+  std::optional<double> duration;           ///< of the loading [s]
+  Measured stiffness;                       ///< κ of F = κ x^1.5 [N/m^1.5]
 };
 
 /// Young's modulus of a block cut from the ball, compressed slowly.
@@ -41,9 +47,10 @@ struct BlockTest {
 /// An order of magnitude, never a measurement of one ball: kept apart from the
 /// shots so that nothing can be fitted to it by mistake.
 struct PooledPeak {
-  double speed = 0.0;       ///< [m/s]
-  double force = 0.0;       ///< [N]
-  double deflection = 0.0;  ///< [m]
+  double speed = 0.0;             ///< [m/s]
+  double force = 0.0;             ///< [N]
+  double deflection = 0.0;        ///< [m]
+  std::optional<double> scatter;  ///< relative, of balls and readings, one σ [-]
 };
 
 /// A ball, an instrument and what was seen with it.

@@ -72,6 +72,23 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .sentence = "A double integral of force over mass, or measured on its own.",
                 .presence = optional},
                instrument.deflection);
+  visit.number({.name = "deflection_noise",
+                .sentence = "One standard deviation of an independent deflection per sample.",
+                .presence = optional,
+                .unit = "mm",
+                .range = above(0.0)},
+               instrument.deflection_noise);
+  visit.number({.name = "deflection_gain_uncertainty",
+                .sentence = "Relative uncertainty of the deflection scale, one standard deviation.",
+                .presence = optional,
+                .range = from_to(0.0, 1.0)},
+               instrument.deflection_gain_uncertainty);
+  visit.texts({.name = "independent_scalars",
+               .sentence = "Scalars that another instrument than the force record gave: "
+                           "contact_time, peak_force, peak_deflection, mean_deflection. Others "
+                           "repeat a record that stands beside them.",
+               .presence = optional},
+              instrument.independent_scalars);
 }
 
 void describe(Visitor& visit, MeasuredImpact& shot) {
@@ -128,6 +145,18 @@ void describe(Visitor& visit, Quasistatic& quasistatic) {
               .sentence = "CSV file in this folder: deflection_m, force_N.",
               .presence = optional},
              quasistatic.trace_file);
+  visit.number({.name = "force_uncertainty",
+                .sentence = "Relative uncertainty of the force along the trace, one standard "
+                            "deviation.",
+                .presence = optional,
+                .range = above_up_to(0.0, 1.0)},
+               quasistatic.force_uncertainty);
+  visit.number({.name = "duration",
+                .sentence = "Time that the loading took.",
+                .presence = optional,
+                .unit = "s",
+                .range = above(0.0)},
+               quasistatic.duration);
   describe_measured(visit,
                     {.name = "stiffness",
                      .sentence = "Factor of x^1.5 in the force.",
@@ -156,6 +185,11 @@ void describe(Visitor& visit, PooledPeak& peak) {
                 .unit = "mm",
                 .range = above(0.0)},
                peak.deflection);
+  visit.number({.name = "scatter",
+                .sentence = "Relative scatter of both, one standard deviation.",
+                .presence = optional,
+                .range = above_up_to(0.0, 10.0)},
+               peak.scatter);
 }
 
 void describe(Visitor& visit, Dataset& dataset) {

@@ -16,9 +16,12 @@ namespace rebound {
 struct Measured {
   std::optional<double> value;
   std::optional<double> uncertainty;
+  /// Read off the record that stands beside it: to be compared with it, and no datum of its own.
+  bool repeats_record = false;
 
+  bool is_stated() const { return value && uncertainty && *uncertainty > 0.0; }
   /// Can it be weighed against a model?
-  bool has_error() const { return value && uncertainty && *uncertainty > 0.0; }
+  bool has_error() const { return is_stated() && !repeats_record; }
 };
 
 /// How a deflection was obtained: whether it holds information of its own.
@@ -33,7 +36,7 @@ constexpr auto names_of(DeflectionOrigin) {
                                        {"independent", DeflectionOrigin::independent}});
 }
 
-/// Errors of the samples of a force history.
+/// Errors of the samples of a history, of a force [N] or of a deflection [m].
 ///
 ///   covariance of a block of N neighbours   σ² R + u² 1 1ᵀ,   R = I for white noise
 struct ForceNoise {
@@ -44,6 +47,8 @@ struct ForceNoise {
   /// u, of an error that neighbours share, such as that of a discretised model [N]
   double shared = 0.0;
   std::size_t shared_by = 1;  ///< N
+  double zero = 0.0;          ///< mean before contact [N]
+  double zero_error = 0.0;    ///< one standard deviation of it; 0: unknown [N]
 };
 
 /// One impact as it was measured, in a laboratory or on a solver: the one record from the file
@@ -67,6 +72,7 @@ struct MeasuredImpact {
   Trace trace{};
   DeflectionOrigin deflection = DeflectionOrigin::unknown;
   ForceNoise noise{};
+  ForceNoise deflection_noise{};  ///< deviation 0: deflections are no data [m]
 
   Measured restitution{};      ///< [-]
   Measured contact_time{};     ///< above the threshold where there is one, else by the rule [s]
@@ -87,7 +93,9 @@ enum class ObservedQuantity {
   contact_time,
   peak_force,
   peak_deflection,
-  mean_deflection
+  mean_deflection,
+  deflection,   ///< a history of its own beside that of the force
+  quasistatic,  ///< a slow compression
 };
 
 /// A scalar of an impact: as measured, and as a model gives it.

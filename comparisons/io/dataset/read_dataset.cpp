@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -80,6 +81,16 @@ void check_shot(const Document& document, const MeasuredImpact& shot, std::size_
   if (!anything) throw document.error_at(path, "the shot has neither a trace nor a scalar");
 }
 
+void check_instrument(const Document& document, const Instrument& instrument) {
+  for (const std::string& name : instrument.independent_scalars)
+    if (std::none_of(scalar_quantities.begin(), scalar_quantities.end(),
+                     [&](const ScalarQuantity& scalar) { return scalar.key == name; }))
+      throw document.error_at("instrument.independent_scalars",
+                              fmt::format("there is no scalar '{}'", name),
+                              "restitution, contact_time, peak_force, peak_deflection, "
+                              "mean_deflection");
+}
+
 void check_tests(const Document& document, const Dataset& dataset) {
   for (std::size_t i = 0; i < dataset.quasistatic.size(); ++i)
     if (dataset.quasistatic[i].trace_file.empty() && !dataset.quasistatic[i].stiffness.value)
@@ -98,6 +109,7 @@ Dataset read_dataset(const std::filesystem::path& folder) {
   read_document(document, dataset);
   dataset.folder = folder.string();
   check_density(document, dataset.sphere);
+  check_instrument(document, dataset.instrument);
   for (std::size_t i = 0; i < dataset.shots.size(); ++i) {
     check_shot(document, dataset.shots[i], i);
     if (!dataset.shots[i].trace_file.empty()) read_trace(document, dataset, i);

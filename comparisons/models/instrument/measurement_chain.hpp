@@ -34,7 +34,8 @@ struct Burst {
 ///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered, late and drooping,
 ///               g gain error, b baseline, d drift, u time since first touch, L clipping level
 ///   time        (1 + s) u + trigger shift,                  s error of the time base
-///   deflection  x + ½ a t², where it is a double integral, a integration drift
+///   deflection  x + ½ a t², where it is a double integral, a integration drift;
+///               (1 + h) x + z, where it is measured, h gain error, z zero
 ///   mass, speed reported = (1 + error) true
 struct MeasurementChain {
   double force_gain = 0.0;      ///< g [-]
@@ -45,6 +46,8 @@ struct MeasurementChain {
   /// Causal 4-pole Butterworth, −3 dB here [Hz].
   double bandwidth = std::numeric_limits<double>::infinity();
   double integration_drift = 0.0;  ///< a [m/s²]
+  double deflection_gain = 0.0;    ///< h [-]
+  double deflection_zero = 0.0;    ///< z [m]
   double contact_threshold = 0.0;  ///< of reported contact times [N]
   int platens = 0;                 ///< as believed in slow compressions: 1 or 2; 0: as it was
   double force_drift = 0.0;        ///< d [N/s]

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 
 namespace rebound {
 

@@ -5,7 +5,7 @@
 namespace rebound {
 namespace {
 
-const std::vector<Candidate> sticky{{"adhesion", "damping-exponent"},
+const std::vector<EffectSet> sticky{{"adhesion", "damping-exponent"},
                                     {"pull-curves", "force-exponent"}};
 
 TEST(CandidateFamilyTest, CommonOnlyWhereAllEffectsAreOfIt) {
@@ -27,9 +27,22 @@ TEST(CandidateFamilyTest, NoMainFamilyThatACandidateDoesWithout) {
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
-  const std::vector<Candidate> both{{"adhesion", "force-exponent"}};
+  const std::vector<EffectSet> both{{"adhesion", "force-exponent"}};
   EXPECT_EQ(main_family(both, {{{"adhesion"}, 0.9}, {{"force-exponent"}, 0.85}}),
             EffectFamily::none);
+}
+
+TEST(CandidateFamilyTest, NearestFormulasAreThoseThatExplainHalfAloneAndNoFreeForm) {
+  const auto nearest =
+      nearest_formulas(EffectFamily::history, {{{"hysteresis"}, 0.7},
+                                               {{"permanent-set"}, 0.9},
+                                               {{"unloading-curve"}, 1.0},
+                                               {{"permanent-set", "hysteresis"}, 1.0},
+                                               {{"damping-exponent"}, 0.95}});
+  ASSERT_EQ(nearest.size(), 2u);
+  EXPECT_EQ(nearest[0].effects, EffectSet{"permanent-set"});
+  EXPECT_EQ(nearest[1].effects, EffectSet{"hysteresis"});
+  EXPECT_TRUE(nearest_formulas(EffectFamily::history, {{{"hysteresis"}, 0.4}}).empty());
 }
 
 }  // namespace

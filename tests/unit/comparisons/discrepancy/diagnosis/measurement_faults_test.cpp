@@ -98,6 +98,20 @@ TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
   }
 }
 
+/// No fit sees the shots at 15 m/s: their repeats contradict the odd one.
+TEST(MeasurementFaultTest, AnOddShotAtTheUnseenSpeedIsRecognised) {
+  const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 5.0}, {"time_exponent", -1.0}}};
+  for (int seed = 1; seed <= seeds; ++seed) {
+    SynthesisFile file = experiment_with({hidden}, seed);
+    const auto once = file.shots;
+    for (int repeat = 0; repeat < 2; ++repeat)
+      file.shots.insert(file.shots.end(), once.begin(), once.end());
+    const Diagnosis d = diagnose_hidden(file);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+    EXPECT_NE(d.fault.find("odd-shot (shot 5"), std::string::npos) << d.fault;
+  }
+}
+
 TEST(MeasurementFaultTest, AStatedBandwidthIsNoFault) {
   int gaps = 0;
   for (int seed = 1; seed <= seeds; ++seed) {

@@ -147,6 +147,16 @@ INSTANTIATE_TEST_SUITE_P(
                 ExitCode::bad_input, "quasistatic[0].platens"},
         Refused{"NothingInATest", "[[quasistatic]]\nplatens = 2\n", ExitCode::bad_input,
                 "quasistatic[0]"},
+        Refused{"NoSuchScalar",
+                "[instrument]\nindependent_scalars = [\"peak\"]\n[[shot]]\nspeed = \"5 m/s\"\n"
+                "restitution = 0.5\n",
+                ExitCode::bad_input, "instrument.independent_scalars"},
+        Refused{"DeflectionNoise",
+                "[instrument]\ndeflection_noise = \"0 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
+                "restitution = 0.5\n",
+                ExitCode::bad_input, "instrument.deflection_noise"},
+        Refused{"Duration", "[[quasistatic]]\nstiffness = \"1 N/m^1.5\"\nduration = \"0 s\"\n",
+                ExitCode::bad_input, "quasistatic[0].duration"},
         Refused{"Typo", "[[shots]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input, "shots"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 

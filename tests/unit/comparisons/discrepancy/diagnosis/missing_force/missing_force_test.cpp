@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/missing_force/added_force_cases.hpp"

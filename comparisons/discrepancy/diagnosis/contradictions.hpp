@@ -1,0 +1,24 @@
+#pragma once
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+namespace rebound {
+
+/// Contradictions among the data that a fitted model does not show as well.
+///
+/// The model's own records, without noise and with nothing wrong in gain, mass and speeds, go
+/// through the same checks with the same errors: a plate on its load cell moves impulse and energy
+/// by what it takes, and a fault that the model holds explains what it does. A contradiction is
+/// left where it differs by more than the limit and a quarter of what is explained.
+///
+/// Limit:  a model without faults explains none
+///         -> test ContradictionsTest.AModelWithoutAFaultExplainsNone.
+/// Errors: as JointModel.
+std::vector<DataCheck> unexplained_contradictions(const Diagnosis& diagnosis,
+                                                  const Observations& all);
+
+/// A physical name is withheld where the data contradict themselves and the named model does not
+/// say why.
+void withhold_names_from_contradictions(Diagnosis& diagnosis, const Observations& all);
+
+}  // namespace rebound

@@ -1,0 +1,135 @@
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+std::string text_of(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3g}", *value) : "not computed";
+}
+
+/// A unit behind its number; a plain number has none.
+std::string with_space(const std::string& unit) {
+  return unit.empty() ? unit : " " + unit;
+}
+
+}  // namespace
+
+std::string headline(const Diagnosis& d) {
+  const auto sized = [&] {
+    std::string text;
+    for (const auto& e : d.effects) {
+      const EffectCard& card = find_effect(e.effect.name).card;
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", card.name);
+      if (!card.is_switch)
+        text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", e.size.value, e.size.low, e.size.high,
+                            size_unit(card).empty() ? "" : " " + size_unit(card));
+    }
+    return text;
+  };
+  switch (d.verdict) {
+    case DiagnosisVerdict::agrees: return "Model and data agree within the noise.";
+    case DiagnosisVerdict::missing: return "Missing from the model: " + sized() + ".";
+    case DiagnosisVerdict::measurement_fault:
+      return "A fault of the measurement is suspected: " + d.fault + ".";
+    case DiagnosisVerdict::unexplained:
+      return d.effects.empty()
+                 ? std::string("Model and data disagree, and nothing in the list explains it.")
+                 : "Missing from the model: " + sized() +
+                       "; what is left then, nothing in the list "
+                       "explains.";
+    case DiagnosisVerdict::insufficient_data:
+      return d.effects.empty() ? std::string("Not enough data for a verdict.")
+                               : "Missing from the model: " + sized() +
+                                     "; what is left then, these data cannot put to a test.";
+    case DiagnosisVerdict::family:
+      return fmt::format("Something of the family '{}' is missing; no name: {}.", name_of(d.family),
+                         d.withheld);
+    case DiagnosisVerdict::one_of: {
+      std::string sets;
+      for (const auto& names : d.candidates) {
+        std::string one;
+        for (const auto& name : names) one += (one.empty() ? "" : " + ") + name;
+        sets += (sets.empty() ? "" : ", ") + one;
+      }
+      return "One of {" + sets + "}; these data cannot tell which.";
+    }
+  }
+  return {};
+}
+
+std::string missing_force_sentence(const Diagnosis& d) {
+  if (!d.missing_force) return {};
+  const MissingForce& missing = *d.missing_force;
+  if (!missing.found())
+    return "The missing force was not found: " + missing.not_found_because + ".";
+  double largest = 0.0;
+  for (const MissingForceCurve& curve : missing.curves)
+    for (const double force : curve.force) largest = std::max(largest, std::abs(force));
+  std::string words;
+  for (const std::string& one : missing.in_words) words += (words.empty() ? "" : "; ") + one;
+  std::string text =
+      fmt::format("The missing force, up to {:.3g} N without a formula: {}.", largest, words);
+  if (missing.unseen_after)
+    text += fmt::format(" With it the gap at the unseen speed goes from {:.3g} to {:.3g}.",
+                        *missing.unseen_before, *missing.unseen_after);
+  return text;
+}
+
+std::string to_text(const Diagnosis& d) {
+  std::string text;
+  for (const DataCheck& one : d.contradictions)
+    text += fmt::format(
+        "data      {} of {}: {:.4g} {}where {:.4g} is expected, {:+.1f} deviations; "
+        "mended by {}\n",
+        one.what, one.of, one.measured, one.unit.empty() ? "" : one.unit + " ", one.expected,
+        one.deviations(), one.mended_by);
+  for (const DataCheck& one : d.checks)
+    if (one.compared_only && !one.mended_by.empty())
+      text += fmt::format("beside    {} of {}: {:.3g} ± {:.2g} of the impacts': {}\n", one.what,
+                          one.of, one.measured, one.error, one.mended_by);
+  text += "VERDICT   " + headline(d) + "\n";
+  if (d.seen) text += fmt::format("noise     {}\n", d.seen->noise_from);
+  if (d.gap.before)
+    text +=
+        fmt::format("gap       {} -> {} (noise 1)\n", text_of(d.gap.before), text_of(d.gap.after));
+  if (d.held_out_speed)
+    text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
+                        text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  for (const ExplainedShare& one : d.nearest)
+    text += fmt::format("nearest   {} explains {:.0f} % of the gap by itself\n",
+                        one.effects.front(), 100.0 * one.share);
+  if (d.bootstrap.draws > 0) {
+    text +=
+        fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);
+    for (const SelectionFrequency& one : d.bootstrap.chosen)
+      text += fmt::format(
+          "{} {} {:.0f} %", &one == d.bootstrap.chosen.data() ? "" : ",",
+          one.effects.empty() ? "no effect" : fmt::format("{}", fmt::join(one.effects, " + ")),
+          100.0 * one.share);
+    text += "\n";
+  }
+  for (const auto& cell : d.where) {
+    if (&cell - d.where.data() >= 5) break;
+    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n", d.speed_of(cell),
+                        name_of(cell.phase), name_of(cell.what), cell.z);
+  }
+  if (d.missing_force) text += fmt::format("force     {}\n", missing_force_sentence(d));
+  if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);
+  for (const auto& needed : d.needed) text += fmt::format("needed    {}\n", needed);
+  for (const auto& e : d.next)
+    text += fmt::format("next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
+                        e.separates[1], e.probability);
+  for (const auto& e : d.excluded)
+    text += fmt::format("excluded  {} above {:.3g}{}\n", e.name, e.size,
+                        with_space(size_unit(find_effect(e.name).card)));
+  for (const auto& warning : d.warnings) text += fmt::format("warning   {}\n", warning);
+  return text;
+}
+
+}  // namespace rebound

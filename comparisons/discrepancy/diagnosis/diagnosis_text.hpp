@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+namespace rebound {
+
+/// A diagnosis for a terminal: verdict, gap, candidates, what to do next.
+std::string to_text(const Diagnosis& diagnosis);
+
+/// What the missing force looks like, in a sentence or two; empty where there is none.
+std::string missing_force_sentence(const Diagnosis& diagnosis);
+
+/// One sentence: verdict, name, sizes, gap.
+std::string headline(const Diagnosis& diagnosis);
+
+}  // namespace rebound

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+/// What takes a name back that a search had found.
+namespace rebound {
+
+/// A weaker verdict, and why; the repair of a formula that contradicts its own restitution stays.
+void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& why);
+
+/// What the speed that was kept from every fit says of a verdict that names something, once it
+/// has been predicted before and after.
+///
+///   χ² before not above the noise     the gap does not show there: the family, without a name
+///   less than half of it removed      the candidate does not predict: unexplained
+///
+/// A prediction that is better is no proof of a name; one that is not better is proof against it.
+void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis);
+
+/// An effect that repeated measurements would often not choose again carries no name.
+void withhold_what_repetition_denies(Diagnosis& diagnosis, const SelectionRules& rules);
+
+}  // namespace rebound

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/trials/trial_share.hpp"
+
+/// What is asked of a diagnosis over many trials.
+namespace rebound {
+
+/// A share and what is asked of it.
+struct TrialGate {
+  std::string what;
+  Share share;
+  double least = 0.0, most = 1.0;    ///< of the share
+  double most_of_upper_bound = 1.0;  ///< of the upper end of its interval
+
+  /// Is anything asked of it, or is it there to be read?
+  bool is_asked() const { return least > 0.0 || most < 1.0 || most_of_upper_bound < 1.0; }
+  bool passes() const;
+};
+
+/// The shares behind the gates.
+struct TrialCounts {
+  Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
+      wrong_family, abstained, name_right, name_or_nearest, wrong_name;
+  Share separable_family_right, separable_name_right;
+  Share out_of_family_said, visibly_out_of_family_said, out_of_family_named, unseen_better,
+      coverage, pairs_both, visible_pairs_both, pairs_not_false;
+};
+
+/// The shares against what is asked of them, in the order in which they are read.
+std::vector<TrialGate> gates_of(const TrialCounts& counts);
+
+}  // namespace rebound
