@@ -55,7 +55,7 @@ void draw_size(const Trial& trial, HiddenEffect& effect, Random& random) {
     const auto seen = visible(trial, effect);
     effect.visible_alone = seen.value_or(0.0);
     const bool close = seen && *seen > 0.5 * wanted && *seen < 2.0 * wanted;
-    if (seen && (close || i == most_corrections)) return;
+    if (seen && (close || i >= most_corrections)) return;
     const double factor =
         seen ? std::clamp(std::sqrt(wanted / std::max(*seen, 1e-6)), 0.1, 10.0) : 0.3;
     const double next = std::clamp(size * factor, form.smallest, form.largest);

@@ -33,5 +33,12 @@ TEST(TrialRivals, HumIsLikeNothingElse) {
   EXPECT_LT(visible_trial_of("hum").rivals.of_other_family.cosine, 0.8);
 }
 
+/// The largest pull of this trial holds the ball, and the next smaller one shows too little: the
+/// search for a size went to and fro between them for ever.
+TEST(TrialSizes, AreFoundWhereTheNextLargerOneHoldsTheBall) {
+  const Trial trial = make_trial({.seed = 20261123, .set = "scoring", .number = 170});
+  EXPECT_GT(trial.visible_chi_square, 0.0);
+}
+
 }  // namespace
 }  // namespace trials::testing
