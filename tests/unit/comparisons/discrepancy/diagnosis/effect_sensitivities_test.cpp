@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
