@@ -78,6 +78,7 @@ std::vector<double> chosen_shares(const std::vector<BootstrapCandidate>& candida
     ++count[best];
   }
   std::vector<double> shares;
+  shares.reserve(count.size());
   for (const int one : count) shares.push_back(static_cast<double>(one) / std::max(1, draws));
   return shares;
 }
