@@ -35,12 +35,11 @@ void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
   d.excluded.clear();
 }
 
-/// What is left of a verdict that has lost its name.
+}  // namespace
+
 DiagnosisVerdict without_name(const Diagnosis& d) {
   return d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
 }
-
-}  // namespace
 
 void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   d.verdict = weaker;
@@ -73,15 +72,17 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
   constexpr double deviations = 3.0, worth_having = 0.5;
   const double noise = deviations * d.gap.held_out_noise;
   const double excess = *d.gap.held_out_before - 1.0;
-  if (excess <= noise) {
+  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
+  if (excess > noise && removed >= worth_having * excess) return;
+  if (excess <= noise || *d.gap.held_out_after - 1.0 <= noise) {
     if (d.verdict == DiagnosisVerdict::missing)
-      withhold(d, without_name(d),
-               "the believed model predicts the unseen speed within the noise, so that nothing "
-               "is seen to improve there");
+      withhold(
+          d, without_name(d),
+          fmt::format("at the unseen speed the gap goes from {:.3g} to {:.3g}, so that nothing "
+                      "beyond the noise is seen to improve there",
+                      *d.gap.held_out_before, *d.gap.held_out_after));
     return;
   }
-  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
-  if (removed >= worth_having * excess) return;
   withhold(d, DiagnosisVerdict::unexplained,
            fmt::format("{} explains what was fitted, but at the unseen speed the gap goes from "
                        "{:.3g} to {:.3g}",

@@ -7,6 +7,9 @@
 /// What takes a name back that a search had found.
 namespace rebound {
 
+/// What is left of a verdict that has lost its name: its family, where it has one.
+DiagnosisVerdict without_name(const Diagnosis& diagnosis);
+
 /// A weaker verdict, and why; the repair of a formula that contradicts its own restitution stays.
 void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& why);
 
