@@ -175,7 +175,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.gap.before = d.believed.fit.reduced_chi_square();
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();
   if (d.held_out_speed) predict_held_out(d);
-  withhold_what_the_unseen_speed_denies(d);
+  withhold_what_the_unseen_speed_denies(d, request.rules);
   withhold_names_from_contradictions(d, all);
   if (!d.selection.indistinguishable.empty()) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
