@@ -192,6 +192,11 @@ void describe(Visitor& visit, TraceChannels& channels) {
           channels.acceleration);
   heading("deflection", "Heading of the deflection; default: deflection, if there is one.",
           channels.deflection);
+  heading("time_unit", "Unit of the time, where the heading states none.", channels.time_unit);
+  heading("force_unit", "Unit of force or acceleration, where the heading states none.",
+          channels.force_unit);
+  heading("deflection_unit", "Unit of the deflection, where the heading states none.",
+          channels.deflection_unit);
   std::optional<bool> reversed;
   if (channels.reversed) reversed = true;
   visit.visit_flag({.name = "reversed",

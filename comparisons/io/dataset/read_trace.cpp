@@ -16,10 +16,16 @@ std::string or_else(const std::string& heading, const char* usual) {
 
 WantedColumn wanted_force(const TraceChannels& channels, const MeasuredImpact& shot) {
   if (!shot.channel.empty())
-    return {.heading = shot.channel, .accepted = {dimension::force, dimension::acceleration}};
+    return {.heading = shot.channel,
+            .accepted = {dimension::force, dimension::acceleration},
+            .unit = channels.force_unit};
   if (!channels.acceleration.empty())
-    return {.heading = channels.acceleration, .accepted = {dimension::acceleration}};
-  return {.heading = or_else(channels.force, "force"), .accepted = {dimension::force}};
+    return {.heading = channels.acceleration,
+            .accepted = {dimension::acceleration},
+            .unit = channels.force_unit};
+  return {.heading = or_else(channels.force, "force"),
+          .accepted = {dimension::force},
+          .unit = channels.force_unit};
 }
 
 }  // namespace
@@ -58,10 +64,12 @@ void read_trace(const Document& document, Dataset& dataset, MeasuredImpact& shot
   LaboratoryTable table = read_laboratory_table(
       file, {{.heading = or_else(channels.time, "time"),
               .accepted = {dimension::time},
-              .increases = true},
+              .increases = true,
+              .unit = channels.time_unit},
              wanted_force(channels, shot),
              {.heading = or_else(channels.deflection, "deflection"),
               .accepted = {dimension::length},
+              .unit = channels.deflection_unit,
               .is_optional = channels.deflection.empty()}});
   note_left_out_line(dataset, file, table.left_out_line);
   constexpr std::size_t fewest_samples = 3;  // the shared scalar definitions need them

@@ -35,6 +35,9 @@ struct TraceChannels {
   std::string force;         ///< empty: "force"
   std::string acceleration;  ///< of the ball: times its mass it is the force
   std::string deflection;    ///< empty: "deflection", where there is one
+  std::string time_unit;        ///< of a heading that states none
+  std::string force_unit;       ///< of force or acceleration
+  std::string deflection_unit;  ///< likewise
   bool reversed = false;     ///< a force, or deceleration, recorded with the other sign
   Baseline baseline = Baseline::as_recorded;
   KeptRecord keep = KeptRecord::whole;

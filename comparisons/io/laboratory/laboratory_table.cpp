@@ -53,6 +53,7 @@ class TableReader {
       if (positions_[i] == no_position) continue;
       if (units && column.heading.unit.empty())
         column.heading.unit = unit_of_row((*units)[positions_[i]]);
+      if (column.heading.unit.empty()) column.heading.unit = wanted_[i].unit;
       factors_.back() = accepted_factor(lines_, wanted_[i], column, heading_line_);
     }
     units_open_ = false;

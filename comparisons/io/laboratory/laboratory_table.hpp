@@ -14,6 +14,7 @@ struct WantedColumn {
   std::string heading;              ///< as written in the file, or without its unit
   std::vector<Dimension> accepted;  ///< one of them; empty: the column is text
   bool increases = false;           ///< every number above that of the row before
+  std::string unit{};               ///< of a heading that states none
   bool is_optional = false;         ///< its numbers stay empty where the table does not have it
 };
 

@@ -91,7 +91,7 @@ rebound_gate_time_uncertainty = "0.4 ms"
 [[shot]]
 drop_height = "1 m"
 rebound_height = "0.25 m"
-rebound_height_uncertainty = "1 cm"
+rebound_height_uncertainty = "10 mm"
 repeats = 4
 [[shot]]
 flight_time = "0.8 s"
