@@ -84,7 +84,7 @@ void describe(Visitor& visit, CalibrationFile& file) {
   describe_schema(visit);
   describe_law_request(visit, file.request);
   visit.choice({.name = "observable",
-                .sentence = "The curve that is fitted.",
+                .sentence = "The curve that is fitted; or scalars: what data sets without records state.",
                 .presence = Presence::optional},
                file.options.observable);
   visit.choice(

@@ -6,6 +6,7 @@
 #include "comparisons/inference/calibration/force_time_residuals.hpp"
 #include "comparisons/inference/calibration/law_unknowns.hpp"
 #include "comparisons/inference/calibration/reference_checks.hpp"
+#include "comparisons/inference/calibration/scalar_residuals.hpp"
 #include "lumped/integration/sensitivities.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/laws/make_law.hpp"
@@ -175,6 +176,29 @@ LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<Meas
   return calibration;
 }
 
+LawCalibration calibrate_to_scalars(const LawUnknowns& law,
+                                    const std::vector<MeasuredImpact>& shots,
+                                    const LawCalibrationOptions& options,
+                                    const RunControl& control) {
+  if (options.nuisances.any())
+    throw Error(ExitCode::bad_input, "nuisances belong to a record of the force",
+                {.key = "nuisance", .value = "", .allowed = "none with observable = \"scalars\""});
+  const ScalarResiduals residuals(shots);
+  CalibrationProblem problem;
+  problem.parameters = law.parameters();
+  problem.controls = options.controls;
+  problem.noise = NoiseKnowledge::known;
+  problem.residuals = [&](const std::vector<double>& x) {
+    return residuals([&](std::size_t i) { return law.model_for(x, i); });
+  };
+  LawCalibration calibration;
+  calibration.fit = calibrate(problem, control);
+  std::vector<double> estimates;
+  for (const Estimate& e : calibration.fit.estimates) estimates.push_back(e.value);
+  calibration.model = law.model(estimates);
+  return calibration;
+}
+
 /// Shots are looked at before unknowns are guessed from them.
 void check_shots(const std::vector<MeasuredImpact>& shots) {
   noise_of(shots);
@@ -187,14 +211,21 @@ LawCalibration calibrate_law(const std::string& law, const std::vector<MeasuredI
                              const ParameterValues& fixed,
                              const std::vector<std::string>& also_free,
                              const LawCalibrationOptions& options, const RunControl& control) {
-  check_shots(shots);
-  return calibrate_unknowns(
-      LawUnknowns(law, shots, {.fixed = fixed, .also_free = also_free, .per_speed = {}}), shots,
-      options, control);
+  return calibrate(
+      {.law = law, .damping_formula = {}, .fixed = fixed, .free = also_free, .per_speed = {}},
+      shots, options, control);
 }
 
 LawCalibration calibrate(const LawRequest& request, const std::vector<MeasuredImpact>& shots,
                          const LawCalibrationOptions& options, const RunControl& control) {
+  if (request.damping_formula.empty() && options.observable == Observable::scalars) {
+    const auto guessed = with_guessed_records(shots, request.law, request.fixed);
+    return calibrate_to_scalars(
+        LawUnknowns(request.law, guessed,
+                    {.fixed = request.fixed, .also_free = request.free,
+                     .per_speed = request.per_speed}),
+        shots, options, control);
+  }
   if (request.damping_formula.empty()) {
     check_shots(shots);
     return calibrate_unknowns(
