@@ -110,7 +110,7 @@ ExitCode run_init_dataset(const Session& session, const InitOptions& options) {
     if (!std::filesystem::equivalent(folder / source.filename(), source, status))
       copy_file_whole(source, folder / source.filename());
     write_file_atomically(folder / "dataset.toml", dataset.manifest);
-    const auto open = dataset.manifest.find("\"?\"") != std::string::npos;
+    const auto open = dataset.manifest.find("= \"?\"") != std::string::npos;
     written[(folder / "dataset.toml").string()] =
         open ? "guessed; fill in what is marked \"?\", then `rebound inspect`"
              : "guessed; look at what is marked, then `rebound inspect`";

@@ -207,6 +207,58 @@ void add_repeats(Inspection& found) {
   }
 }
 
+/// A stated restitution against the straight line between its neighbours in speed.
+DataCheck between_neighbours(const MeasuredImpact& low, const MeasuredImpact& shot,
+                             const MeasuredImpact& high) {
+  // How much a restitution may bend: |v² d²e/dv²|, 0.05 for e = 1 - C v^(1/5) at e = 0.7.
+  constexpr double largest_bend = 0.5;
+  const double v = shot.impact.speed, below = v - low.impact.speed, above = high.impact.speed - v;
+  const double share = below + above > 0.0 ? below / (below + above) : 0.5;
+  const double bend = 0.5 * largest_bend * below * above / (v * v);
+  return {.what = "restitution-over-speed",
+          .of = shot.label,
+          .unit = "",
+          .measured = *shot.restitution.value,
+          .expected = (1.0 - share) * *low.restitution.value + share * *high.restitution.value,
+          .error = std::hypot(*shot.restitution.uncertainty,
+                              std::hypot((1.0 - share) * *low.restitution.uncertainty,
+                                         share * *high.restitution.uncertainty),
+                              bend)};
+}
+
+std::vector<DataCheck> all_between_neighbours(const std::vector<const MeasuredImpact*>& shots) {
+  std::vector<DataCheck> checks;
+  for (std::size_t i = 1; i + 1 < shots.size(); ++i)
+    checks.push_back(between_neighbours(*shots[i - 1], *shots[i], *shots[i + 1]));
+  return checks;
+}
+
+/// The one that is furthest out goes first, as long as it is a contradiction: its neighbours are
+/// off because of it.
+void add_restitution_checks(const Observations& seen, Inspection& found) {
+  for (std::size_t ball = 0; ball < seen.balls.size(); ++ball) {
+    std::vector<const MeasuredImpact*> shots;
+    for (const MeasuredImpact& shot : seen.shots)
+      if (shot.ball == ball && shot.restitution.has_error()) shots.push_back(&shot);
+    std::stable_sort(shots.begin(), shots.end(), [](const auto* a, const auto* b) {
+      return a->impact.speed < b->impact.speed;
+    });
+    std::vector<DataCheck> checks = all_between_neighbours(shots);
+    const double limit = contradiction_limit(found.checks.size() + checks.size());
+    while (!checks.empty()) {
+      const auto worst = std::max_element(
+          checks.begin(), checks.end(), [](const DataCheck& a, const DataCheck& b) {
+            return std::abs(a.deviations()) < std::abs(b.deviations());
+          });
+      if (!(std::abs(worst->deviations()) > limit)) break;
+      found.checks.push_back(*worst);
+      shots.erase(shots.begin() + (worst - checks.begin()) + 1);
+      checks = all_between_neighbours(shots);
+    }
+    found.checks.insert(found.checks.end(), checks.begin(), checks.end());
+  }
+}
+
 void add_noise(const Observations& seen, const std::vector<std::span<const double>>& quiet,
                Inspection& found) {
   found.noise.from = seen.noise_from;
@@ -238,6 +290,7 @@ Inspection inspect(const Dataset& dataset) {
   add_noise(seen, quiet, found);
   add_repeats(found);
   found.checks = check_data(seen);
+  add_restitution_checks(seen, found);
   found.contradictions = contradictions_among(found.checks);
   found.contradiction_limit = contradiction_limit(found.checks.size());
   found.warnings = seen.warnings;

@@ -82,6 +82,10 @@ struct Inspection {
 ///                of the peak; a stated bandwidth below 2 over the contact time, which lowers a
 ///                half sine by 2 %; fewer than 20 samples before contact, which tell no noise
 ///
+/// Beside the checks of data_checks.hpp a stated restitution is held against the straight line
+/// between its neighbours in speed (restitution-over-speed): that of a ball is smooth. A bend of
+/// |v² d²e/dv²| = 0.5 counts as an error; the one that is furthest out is set apart first.
+///
 /// Limit:   numbers of a half sine are its closed forms -> test InspectionTest.
 Inspection inspect(const Dataset& dataset);
 

@@ -49,6 +49,7 @@ report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
       .y = {"force", "N"},
       .series = {}};
   const auto drawn = drawn_records(dataset);
+  std::size_t most_skipped = 1;
   for (const std::size_t i : drawn) {
     const Trace& trace = dataset.shots[i].trace;
     Series series = points(found.shots[i].label, Origin::measured);
@@ -57,12 +58,14 @@ report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
       series.x.push_back(milli * trace.time[k]);
       series.y.push_back(trace.force[k]);
     }
-    if (step > 1) figure.caption += fmt::format(" {}: every {}th.", series.name, step);
+    most_skipped = std::max(most_skipped, step);
     figure.series.push_back(std::move(series));
   }
   const auto records = static_cast<std::size_t>(
       std::count_if(dataset.shots.begin(), dataset.shots.end(),
                     [](const MeasuredImpact& shot) { return shot.has_history(); }));
+  if (most_skipped > 1)
+    figure.caption += fmt::format(" Of long records every {}th sample is drawn.", most_skipped);
   if (records > drawn.size())
     figure.caption += fmt::format(" {} of {} records are drawn, slowest to fastest.", drawn.size(),
                                   records);
@@ -98,21 +101,44 @@ report::TableCell measured_cell(double value, const std::optional<double>& error
   return report::number_cell(value, 4);
 }
 
+/// A number of a shot by its key; nullptr where the shot has none.
+const InspectedNumber* number_of(const InspectedShot& shot, const std::string& key) {
+  for (const InspectedNumber& number : shot.numbers)
+    if (number.key == key) return &number;
+  return nullptr;
+}
+
+/// Keys of all numbers, in the order in which they first appear.
+std::vector<std::string> keys_of(const Inspection& found) {
+  std::vector<std::string> keys;
+  for (const InspectedShot& shot : found.shots)
+    for (const InspectedNumber& number : shot.numbers)
+      if (std::find(keys.begin(), keys.end(), number.key) == keys.end()) keys.push_back(number.key);
+  return keys;
+}
+
 report::Table number_table(const Inspection& found) {
   report::Table table{
       .title = "Numbers of every shot",
       .caption = "Read off the record by the definitions of the diagnosis, or as stated. One "
                  "standard deviation: noise of the samples in its size and colour, zero, and the "
                  "width of a sample.",
-      .columns = {{"shot"}, {"number"}, {"value", "SI", Kind::number}, {"from"}},
+      .columns = {{"shot"}},
       .rows = {}};
-  for (const InspectedShot& shot : found.shots)
-    for (const InspectedNumber& number : shot.numbers)
-      table.rows.push_back(
-          {report::text_cell(shot.label), report::text_cell(number.key),
-           measured_cell(number.value, number.uncertainty),
-           report::text_cell(
-               number.source == InspectedNumber::Source::stated ? "stated" : "record")});
+  const std::vector<std::string> keys = keys_of(found);
+  for (const std::string& key : keys)
+    table.columns.push_back({key, "SI", Kind::number,
+                             key.starts_with("stated") ? Origin::measured : Origin::derived});
+  for (const InspectedShot& shot : found.shots) {
+    std::vector<report::TableCell> row{report::text_cell(shot.label)};
+    for (const std::string& key : keys) {
+      const InspectedNumber* number = number_of(shot, key);
+      row.push_back(number ? measured_cell(number->value, number->uncertainty)
+                           : report::text_cell("-"));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  if (keys.empty()) table.rows.clear();
   return table;
 }
 

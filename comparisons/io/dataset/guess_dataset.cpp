@@ -17,7 +17,8 @@ namespace {
 constexpr const char* guessed_mark = "# GUESSED";
 
 std::string entry(const std::string& key, const std::string& value, const std::string& comment) {
-  return fmt::format("{:<44} {}\n", fmt::format("{} = {}", key, toml_string(value)), comment);
+  const std::string pair = fmt::format("{} = {}", key, toml_string(value));
+  return comment.empty() ? pair + "\n" : fmt::format("{:<44} {}\n", pair, comment);
 }
 
 std::string sphere_section(const DatasetHints& hints) {
