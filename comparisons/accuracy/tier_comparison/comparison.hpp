@@ -26,7 +26,7 @@ struct Movement {
   double speed = 0.0;  ///< [m/s]
   std::string key;
   double before = 0.0, now = 0.0;
-  double tolerance = 0.0;  ///< half widths of both runs together
+  double tolerance = 0.0;  ///< what the two runs may differ by
   SharedBasis measured_by = SharedBasis::discretisation;
 
   double bars() const { return (now - before) / tolerance; }
@@ -63,8 +63,10 @@ struct CaseComparison {
 
 /// Compares a run with its baseline (none: an empty list) and tier with tier.
 ///
-///   tolerance = half width then + half width now, of the error that the runs do not share
+///   tolerance   same mesh: twice the half width in the baseline, of rounding or of the step
+///               another mesh: both numerical errors
 ///
+/// On one mesh the run's own half width does not count, for a fault may have widened it.
 /// Numbers on one mesh with one time step differ by rounding alone, whatever the mesh's own error;
 /// so a small change of a law is seen that the numerical error would hide, and a new mesh passes
 /// where it stays within the numerical error.

@@ -72,8 +72,8 @@ std::string headline_of(const std::vector<CaseComparison>& cases) {
 
 report::Table movement_table(const CaseComparison& one) {
   report::Table table{.title = "Against the baseline",
-                      .caption = "A bar is the half width, then and now together, of the error that "
-                                 "both runs do not share: rounding on the same mesh and step, the "
+                      .caption = "A bar is what both runs may differ by, by the error that "
+                                 "they do not share: rounding on the same mesh and step, the "
                                  "step's share on the same mesh, else the whole numerical error.",
                       .columns = {{"tier"},
                                   {"speed", "m/s", Kind::number},
