@@ -22,9 +22,11 @@ struct CompareOptions {
 };
 
 std::string compare_help() {
-  return "Sets the lumped tier against FE, and either against a stored baseline. A change counts when\n"
+  return "Sets the lumped tier against FE, and either against a stored baseline. A change counts "
+         "when\n"
          "it is larger than the numerical errors that the two runs do not share; nothing is to be\n"
-         "chosen. Exit 1 says that a tier has moved, or that a gap is larger than the case allows.\n"
+         "chosen. Exit 1 says that a tier has moved, or that a gap is larger than the case "
+         "allows.\n"
          "--out DIR writes report.html and comparison.json.\n\nKeys of FILE (TOML):\n" +
          help_text<CompareFile>() + "\n" + exit_code_help();
 }

@@ -45,6 +45,8 @@ const std::vector<Starter>& starters() {
        [] { return write_toml(example_selection(), Comments::sentences); }},
       {"benchmark.toml", "two laws for `rebound benchmark`, on the same reference",
        [] { return write_toml(example_benchmark(), Comments::sentences); }},
+      {"compare.toml", "both tiers against each other for `rebound compare`",
+       [] { return write_toml(example_comparison(), Comments::sentences); }},
   };
   return list;
 }
@@ -66,8 +68,8 @@ void check_hint(const char* option, const std::string& text, const Dimension& di
   try {
     if (parse_quantity(text, dimension) > 0.0) return;
   } catch (const Error& error) {
-    throw Error(ExitCode::bad_input, error.what(), {.file = {}, .key = option, .value = text,
-                                                    .allowed = {}});
+    throw Error(ExitCode::bad_input, error.what(),
+                {.file = {}, .key = option, .value = text, .allowed = {}});
   }
   throw Error(ExitCode::bad_input, "the value must be positive",
               {.file = {}, .key = option, .value = text, .allowed = {}});
@@ -122,8 +124,9 @@ ExitCode run_init_dataset(const Session& session, const InitOptions& options) {
 ExitCode run_init(const Session& session, const InitOptions& options) {
   if (!options.from.empty()) return run_init_dataset(session, options);
   if (!options.what.empty())
-    throw Error(ExitCode::bad_input, "which file is the data set made from?",
-                {.file = {}, .key = "--from", .value = {}, .allowed = "init dataset --from FILE.csv"});
+    throw Error(
+        ExitCode::bad_input, "which file is the data set made from?",
+        {.file = {}, .key = "--from", .value = {}, .allowed = "init dataset --from FILE.csv"});
   const std::filesystem::path folder = session.out.empty() ? "." : session.out;
   for (const Starter& starter : starters())
     if (std::filesystem::exists(folder / starter.file))
@@ -152,10 +155,12 @@ Action declare_init(CLI::App& command) {
   command.add_option("--speed", options->hints.speed, "Of a trace's impact, e.g. \"15 m/s\"");
   command.footer(
       "Writes commented files to start from into --out (default: here).\n"
-      "init dataset --from FILE writes a data set around a file into --out (default: a folder of the\n"
+      "init dataset --from FILE writes a data set around a file into --out (default: a folder of "
+      "the\n"
       "file's name beside it): a copy of the file and a manifest in which every guess is marked.\n"
       "Comma, semicolon or tabulator, decimal comma, units in the headings or below them. A time\n"
-      "beside forces or accelerations is a trace, anything else a table of shots; a column of balls\n"
+      "beside forces or accelerations is a trace, anything else a table of shots; a column of "
+      "balls\n"
       "gives a folder a ball.\n\n" +
       exit_code_help());
   return [options](const Session& session) { return run_init(session, *options); };

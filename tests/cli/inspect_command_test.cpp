@@ -17,8 +17,9 @@ std::string recorder_file() {
   for (int i = 0; i < 1200; ++i) {
     const double t = 1e-2 * i, in = t - 5.0;
     const double wave = in > 0.0 && in < 2.0 ? std::sin(std::numbers::pi * in / 2.0) : 0.0;
-    std::string line = std::to_string(t) + ";" + std::to_string(3.0 + 0.5 * (i % 3 - 1) - 620 * wave) +
-                       ";" + std::to_string(3.0 - 0.5 * (i % 3 - 1) - 1240 * wave) + "\r\n";
+    std::string line = std::to_string(t) + ";" +
+                       std::to_string(3.0 + 0.5 * (i % 3 - 1) - 620 * wave) + ";" +
+                       std::to_string(3.0 - 0.5 * (i % 3 - 1) - 1240 * wave) + "\r\n";
     std::replace(line.begin(), line.end(), '.', ',');
     text += line;
   }
@@ -31,8 +32,9 @@ TEST_F(InspectCommand, AFileOfARecorderBecomesADataSetThatIsInspected) {
                                 "--diameter", "66.2 mm", "--speed", "5 m/s", "--out", "ball"});
   ASSERT_EQ(init.exit_code, 0) << init.errors;
   const std::string manifest = read_whole(folder.path() / "ball/dataset.toml");
-  for (const char* part : {"acceleration = \"a1\"", "reversed = true", "baseline = \"before-contact\"",
-                           "channel = \"a2\"", "# GUESSED", "decimal comma"})
+  for (const char* part :
+       {"acceleration = \"a1\"", "reversed = true", "baseline = \"before-contact\"",
+        "channel = \"a2\"", "# GUESSED", "decimal comma"})
     EXPECT_NE(manifest.find(part), std::string::npos) << part << "\n" << manifest;
   const Outcome inspected = rebound({"inspect", "ball", "--json", "--out", "page"});
   ASSERT_EQ(inspected.exit_code, 0) << inspected.errors;
@@ -58,8 +60,9 @@ TEST_F(InspectCommand, WhatNobodySaidIsAskedForWithFileLineAndKey) {
 }
 
 TEST_F(InspectCommand, ATableOfBallsBecomesAFolderABall) {
-  folder.write("t.csv", "ball;drop [cm];rebound [cm];rebound_sd [cm];repeats\n"
-                        "red;100;64,0;0,5;10\nred;150;95,0;0,6;10\nblue;100;49,0;0,5;10\n");
+  folder.write("t.csv",
+               "ball;drop [cm];rebound [cm];rebound_sd [cm];repeats\n"
+               "red;100;64,0;0,5;10\nred;150;95,0;0,6;10\nblue;100;49,0;0,5;10\n");
   ASSERT_EQ(rebound({"init", "dataset", "--from", "t.csv", "--mass", "50 g", "--diameter", "60 mm"})
                 .exit_code,
             0);
@@ -67,7 +70,8 @@ TEST_F(InspectCommand, ATableOfBallsBecomesAFolderABall) {
   ASSERT_EQ(json["shots"].size(), 2u);
   const auto& restitution = json["shots"][0]["numbers"]["stated_restitution"];
   EXPECT_NEAR(restitution["value"].get<double>(), 0.8, 1e-6);
-  EXPECT_NEAR(restitution["uncertainty"].get<double>(), 0.8 * 0.5 * 0.5 / 64 / std::sqrt(10.0), 1e-6);
+  EXPECT_NEAR(restitution["uncertainty"].get<double>(), 0.8 * 0.5 * 0.5 / 64 / std::sqrt(10.0),
+              1e-6);
   EXPECT_TRUE(there("t/ball-blue/dataset.toml"));
 }
 
@@ -84,9 +88,10 @@ class BadTableTest : public InspectCommand, public ::testing::WithParamInterface
 TEST_P(BadTableTest, IsRefusedWithItsPlace) {
   std::filesystem::create_directories(folder.path() / "data");
   folder.write("data/t.csv", GetParam().text);
-  folder.write("data/dataset.toml", "schema = 1\nname = \"b\"\n[sphere]\nmass = \"89.6 g\"\n"
-                                    "diameter = \"66.2 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
-                                    "trace = \"t.csv\"\n");
+  folder.write("data/dataset.toml",
+               "schema = 1\nname = \"b\"\n[sphere]\nmass = \"89.6 g\"\n"
+               "diameter = \"66.2 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
+               "trace = \"t.csv\"\n");
   const Outcome outcome = rebound({"inspect", "data", "--out", "page"});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
   EXPECT_NE(outcome.errors.find(std::string("t.csv:") + GetParam().place), std::string::npos)
@@ -101,16 +106,20 @@ INSTANTIATE_TEST_SUITE_P(
     Cases, BadTableTest,
     ::testing::Values(BadTable{"Truncated", head + "0,1\n1,2\n2", "4:1:", "cut off"},
                       BadTable{"Corrupt", head + "0,1\n1,\x01\x02\n2,1\n", "3:3:", "no number"},
-                      BadTable{"WrongUnit", "time [ms],force [mm]\n0,1\n1,2\n2,1\n", "1:",
-                               "another unit"},
+                      BadTable{"WrongUnit", "time [ms],force [mm]\n0,1\n1,2\n2,1\n",
+                               "1:", "another unit"},
                       BadTable{"NoUnit", "time,force\n0,1\n1,2\n2,1\n", "1:", "no unit"},
                       BadTable{"NaN", head + "0,1\n1,nan\n2,1\n", "3:3:", "finite"},
                       BadTable{"TimeBackwards", head + "0,1\n2,2\n1,1\n", "4:1:", "increase"},
-                      BadTable{"ManyColumns", "time [ms]" + [] {
-                                 std::string more;
-                                 for (int i = 0; i < 9000; ++i) more += ",c";
-                                 return more;
-                               }() + "\n0,1\n", "1:", "columns"}),
+                      BadTable{"ManyColumns",
+                               "time [ms]" +
+                                   [] {
+                                     std::string more;
+                                     for (int i = 0; i < 9000; ++i) more += ",c";
+                                     return more;
+                                   }() +
+                                   "\n0,1\n",
+                               "1:", "columns"}),
     [](const auto& c) { return std::string(c.param.name); });
 
 TEST_F(InspectCommand, ContradictionsFailWhereAskedFor) {

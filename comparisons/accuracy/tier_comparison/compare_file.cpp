@@ -35,9 +35,9 @@ void check_speeds(const Document& document, const CompareCase& one, const std::s
 }  // namespace
 
 const std::vector<std::string>& compared_keys() {
-  static const std::vector<std::string> keys{"restitution",       "contact_time_s",
+  static const std::vector<std::string> keys{"restitution",         "contact_time_s",
                                              "contact_time_1pct_s", "peak_force_N",
-                                             "peak_deflection_m", "mean_deflection_m"};
+                                             "peak_deflection_m",   "mean_deflection_m"};
   return keys;
 }
 

@@ -33,7 +33,8 @@ void describe(Visitor& visit, CompareFile& file);
 const std::vector<std::string>& compared_keys();
 
 /// Reads and checks a compare file.
-/// Errors: Error(bad_input) with the key for no case, a case without a tier, names that are taken or
+/// Errors: Error(bad_input) with the key for no case, a case without a tier, names that are taken
+/// or
 ///         are no file names, speeds that are none, agreement of a single tier.
 CompareFile read_compare_file(const Document& document);
 

@@ -53,9 +53,9 @@ void compare_with_baseline(const TierRecord& now, const TierRecord& before,
         fmt::format("{}: its impact file is another than that of the baseline", place_of(now)));
   const SharedBasis basis = basis_of(now.discretisation, before.discretisation);
   if (basis == SharedBasis::nothing)
-    comparison.remarks.push_back(fmt::format(
-        "{}: {} cells, in the baseline {}; compared within the numerical error", place_of(now),
-        now.discretisation.cells, before.discretisation.cells));
+    comparison.remarks.push_back(
+        fmt::format("{}: {} cells, in the baseline {}; compared within the numerical error",
+                    place_of(now), now.discretisation.cells, before.discretisation.cells));
   for (const std::string& key : compared_keys()) {
     const RecordedScalar &a = before.scalars.at(key), &b = now.scalars.at(key);
     comparison.movements.push_back({.tier = now.tier,

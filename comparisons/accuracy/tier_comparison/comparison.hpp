@@ -43,8 +43,7 @@ struct TierGap {
 
   double bars() const { return (lumped - fem) / tolerance; }
   bool fails() const {
-    return allowed_share &&
-           std::abs(lumped - fem) > tolerance + *allowed_share * std::abs(fem);
+    return allowed_share && std::abs(lumped - fem) > tolerance + *allowed_share * std::abs(fem);
   }
 };
 

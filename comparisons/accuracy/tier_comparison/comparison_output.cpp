@@ -25,10 +25,10 @@ bool any_baseline(const std::vector<CaseComparison>& cases) {
 }
 
 Json movement_json(const Movement& one) {
-  return {{"tier", one.tier},          {"speed_m_s", one.speed},
-          {"key", one.key},            {"before", one.before},
-          {"now", one.now},            {"tolerance", one.tolerance},
-          {"bars", one.bars()},        {"measured_by", name_of(one.measured_by)},
+  return {{"tier", one.tier},        {"speed_m_s", one.speed},
+          {"key", one.key},          {"before", one.before},
+          {"now", one.now},          {"tolerance", one.tolerance},
+          {"bars", one.bars()},      {"measured_by", name_of(one.measured_by)},
           {"moved", one.has_moved()}};
 }
 
@@ -50,13 +50,14 @@ std::string movement_text(const Movement& one) {
 }
 
 std::string gap_text(const TierGap& one) {
-  return fmt::format("{:<20} at {:g} m/s: lumped {:.5g}, FE {:.5g} +- {:.2g}, {:+.2f} %, {:+.3g} "
-                     "bars{}",
-                     one.key, one.speed, one.lumped, one.fem, one.tolerance,
-                     100.0 * (one.lumped / one.fem - 1.0), one.bars(),
-                     one.fails()           ? "  BEYOND what is allowed"
-                     : one.allowed_share   ? "  within what is allowed"
-                                           : "");
+  return fmt::format(
+      "{:<20} at {:g} m/s: lumped {:.5g}, FE {:.5g} +- {:.2g}, {:+.2f} %, {:+.3g} "
+      "bars{}",
+      one.key, one.speed, one.lumped, one.fem, one.tolerance, 100.0 * (one.lumped / one.fem - 1.0),
+      one.bars(),
+      one.fails()         ? "  BEYOND what is allowed"
+      : one.allowed_share ? "  within what is allowed"
+                          : "");
 }
 
 std::string headline_of(const std::vector<CaseComparison>& cases) {
@@ -72,9 +73,10 @@ std::string headline_of(const std::vector<CaseComparison>& cases) {
 
 report::Table movement_table(const CaseComparison& one) {
   report::Table table{.title = "Against the baseline",
-                      .caption = "A bar is what both runs may differ by, by the error that "
-                                 "they do not share: rounding on the same mesh and step, the "
-                                 "step's share on the same mesh, else the whole numerical error.",
+                      .caption =
+                          "A bar is what both runs may differ by, by the error that "
+                          "they do not share: rounding on the same mesh and step, the "
+                          "step's share on the same mesh, else the whole numerical error.",
                       .columns = {{"tier"},
                                   {"speed", "m/s", Kind::number},
                                   {"scalar"},
@@ -96,8 +98,9 @@ report::Table movement_table(const CaseComparison& one) {
 report::Table gap_table(const CaseComparison& one) {
   report::Table table{
       .title = "Tier against tier",
-      .caption = "A bar is both numerical errors together. A gap of many bars is one of the models, "
-                 "not of the numbers.",
+      .caption =
+          "A bar is both numerical errors together. A gap of many bars is one of the models, "
+          "not of the numbers.",
       .columns = {{"speed", "m/s", Kind::number},
                   {"scalar"},
                   {"lumped", "SI", Kind::number, Origin::predicted},

@@ -83,8 +83,7 @@ std::array<std::map<std::string, double>, 2> nudged(const FemProblem& problem, c
   in_parallel(scalars.size(), [&](std::size_t i) {
     FemProblem moved = problem;
     moved.impact.speed *= 1.0 + (i == 0 ? least_share : -least_share);
-    scalars[i] =
-        scalars_of(body->simulate(moved, RunControl{.interrupted = control.interrupted}));
+    scalars[i] = scalars_of(body->simulate(moved, RunControl{.interrupted = control.interrupted}));
   });
   return scalars;
 }

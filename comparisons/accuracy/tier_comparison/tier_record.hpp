@@ -13,8 +13,8 @@ namespace rebound {
 /// A scalar with what is left open in it, by cause. Half widths.
 struct RecordedScalar {
   double value = 0.0;
-  double rounding = 0.0;   ///< what another order of the same additions may change
-  double step = 0.0;       ///< what another time step on the same mesh may change, rounding included
+  double rounding = 0.0;  ///< what another order of the same additions may change
+  double step = 0.0;      ///< what another time step on the same mesh may change, rounding included
   double numerical = 0.0;  ///< meshes, step and scatter together: another mesh
 };
 

@@ -64,8 +64,8 @@ void add_restitution(const CheckedShot& one, const Observations& all, InspectedS
       std::sqrt(std::pow(impulse.error() / impulse.value, 2) + std::pow(all.gain_uncertainty, 2) +
                 std::pow(shot.speed_uncertainty.value_or(0.0) / shot.impact.speed, 2) +
                 std::pow(all.balls[shot.ball].mass_uncertainty / shot.sphere.mass, 2));
-  seen.numbers.push_back({"restitution_from_impulse", ratio - 1.0, ratio * relative,
-                          Source::record});
+  seen.numbers.push_back(
+      {"restitution_from_impulse", ratio - 1.0, ratio * relative, Source::record});
 }
 
 void add_record_numbers(const CheckedShot& one, const Observations& all, InspectedShot& seen) {
@@ -150,7 +150,7 @@ InspectedShot inspect_recorded(const Dataset& dataset, const MeasuredImpact& sho
   seen.samples_in_contact = contact.count();
   seen.interval = interval_of(shot.trace);
   seen.rounding_step = quantisation_step(force);
-  const std::size_t before = contact.first - std::min(contact.first, contact.count() / 4 + 1);
+  const std::size_t before = contact.first - std::min(contact.first, contact.count() / 10 + 1);
   quiet.emplace_back(force.data(), before);
   seen.noise = before < fewest_before_contact ? dataset.instrument.force_noise.value_or(0.0)
                                               : estimate_noise({quiet.back()}).deviation;

@@ -41,9 +41,9 @@ struct InspectedShot {
 
 /// Noise of the force, from the baseline before contact of all records together.
 struct InspectedNoise {
-  std::string from;      ///< in words
-  double deviation = 0;  ///< of one recorded sample [N]; 0: nothing tells
-  int samples = 0;       ///< before contact, that told it
+  std::string from;                     ///< in words
+  double deviation = 0;                 ///< of one recorded sample [N]; 0: nothing tells
+  int samples = 0;                      ///< before contact, that told it
   std::vector<double> autocorrelation;  ///< of neighbours at lags 1…p; empty: white
   double interval = 0.0;                ///< of those samples [s]
 };

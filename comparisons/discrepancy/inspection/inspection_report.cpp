@@ -43,8 +43,9 @@ Series points(const std::string& name, Origin origin) {
 report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
   report::Figure figure{
       .title = "Force over time",
-      .caption = "As read from the files, baseline taken out where the data set asks for it; every "
-                 "point is a sample.",
+      .caption =
+          "As read from the files, baseline taken out where the data set asks for it; every "
+          "point is a sample.",
       .x = {"time of the record", "ms"},
       .y = {"force", "N"},
       .series = {}};
@@ -67,8 +68,8 @@ report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
   if (most_skipped > 1)
     figure.caption += fmt::format(" Of long records every {}th sample is drawn.", most_skipped);
   if (records > drawn.size())
-    figure.caption += fmt::format(" {} of {} records are drawn, slowest to fastest.", drawn.size(),
-                                  records);
+    figure.caption +=
+        fmt::format(" {} of {} records are drawn, slowest to fastest.", drawn.size(), records);
   return figure;
 }
 
@@ -120,15 +121,16 @@ std::vector<std::string> keys_of(const Inspection& found) {
 report::Table number_table(const Inspection& found) {
   report::Table table{
       .title = "Numbers of every shot",
-      .caption = "Read off the record by the definitions of the diagnosis, or as stated. One "
-                 "standard deviation: noise of the samples in its size and colour, zero, and the "
-                 "width of a sample.",
+      .caption =
+          "Read off the record by the definitions of the diagnosis, or as stated. One "
+          "standard deviation: noise of the samples in its size and colour, zero, and the "
+          "width of a sample.",
       .columns = {{"shot"}},
       .rows = {}};
   const std::vector<std::string> keys = keys_of(found);
   for (const std::string& key : keys)
-    table.columns.push_back({key, "SI", Kind::number,
-                             key.starts_with("stated") ? Origin::measured : Origin::derived});
+    table.columns.push_back(
+        {key, "SI", Kind::number, key.starts_with("stated") ? Origin::measured : Origin::derived});
   for (const InspectedShot& shot : found.shots) {
     std::vector<report::TableCell> row{report::text_cell(shot.label)};
     for (const std::string& key : keys) {
@@ -156,8 +158,9 @@ report::Table coarse_table(const Inspection& found) {
 report::Table filter_table(const Inspection& found) {
   report::Table table{
       .title = "What a channel filter would do to the peak",
-      .caption = "Phaseless filters of SAE J211, classes that the sampling allows. A filter that "
-                 "lowers the peak has also lengthened the contact.",
+      .caption =
+          "Phaseless filters of SAE J211, classes that the sampling allows. A filter that "
+          "lowers the peak has also lengthened the contact.",
       .columns = {{"shot"}},
       .rows = {}};
   std::vector<double> classes;
@@ -211,9 +214,10 @@ report::Table check_table(const std::string& title, const std::vector<DataCheck>
 report::Table repeat_table(const Inspection& found) {
   report::Table table{
       .title = "Repeats",
-      .caption = "Shots within 2 % of one speed. Scatter well above the stated error: something "
-                 "else changes from shot to shot; well below: the error is common to all shots, or "
-                 "is overstated.",
+      .caption =
+          "Shots within 2 % of one speed. Scatter well above the stated error: something "
+          "else changes from shot to shot; well below: the error is common to all shots, or "
+          "is overstated.",
       .columns = {{"number"},
                   {"speed", "m/s", Kind::number},
                   {"shots", "1", Kind::number},
@@ -222,12 +226,11 @@ report::Table repeat_table(const Inspection& found) {
                   {"stated error", "SI", Kind::number}},
       .rows = {}};
   for (const RepeatedSpeed& one : found.repeats)
-    table.rows.push_back(
-        {report::text_cell(one.key), report::number_cell(one.speed, 4),
-         report::text_cell(std::to_string(one.count)), report::number_cell(one.mean, 4),
-         report::number_cell(one.scatter, 2),
-         one.typical_error ? report::number_cell(*one.typical_error, 2)
-                           : report::text_cell("unknown")});
+    table.rows.push_back({report::text_cell(one.key), report::number_cell(one.speed, 4),
+                          report::text_cell(std::to_string(one.count)),
+                          report::number_cell(one.mean, 4), report::number_cell(one.scatter, 2),
+                          one.typical_error ? report::number_cell(*one.typical_error, 2)
+                                            : report::text_cell("unknown")});
   return table;
 }
 
@@ -260,13 +263,13 @@ report::Section noise_section(const Inspection& found) {
 }
 
 std::string headline_of(const Inspection& found) {
-  const auto coarse = std::count_if(found.shots.begin(), found.shots.end(),
-                                    [](const InspectedShot& shot) {
-                                      return !shot.too_coarse.empty();
-                                    });
-  const std::string usable =
-      coarse == 0 ? "" : fmt::format(" {} of {} records are too coarse for something.", coarse,
-                                     found.shots.size());
+  const auto coarse =
+      std::count_if(found.shots.begin(), found.shots.end(),
+                    [](const InspectedShot& shot) { return !shot.too_coarse.empty(); });
+  const std::string usable = coarse == 0
+                                 ? ""
+                                 : fmt::format(" {} of {} records are too coarse for something.",
+                                               coarse, found.shots.size());
   if (found.checks.empty())
     return "Nothing in these data is said twice: no contradiction could show." + usable;
   if (found.contradictions.empty())
@@ -285,13 +288,13 @@ bool any_filters(const Inspection& found) {
 }  // namespace
 
 report::Report inspection_report(const Inspection& found, const Dataset& dataset) {
-  report::Report page{.title = "Inspection: " + found.name,
-                      .subtitle = fmt::format("{} shots, {:.4g} g, {:.4g} mm", found.shots.size(),
-                                              1e3 * dataset.sphere.mass,
-                                              1e3 * dataset.sphere.diameter),
-                      .headline = headline_of(found),
-                      .notices = {},
-                      .sections = {}};
+  report::Report page{
+      .title = "Inspection: " + found.name,
+      .subtitle = fmt::format("{} shots, {:.4g} g, {:.4g} mm", found.shots.size(),
+                              1e3 * dataset.sphere.mass, 1e3 * dataset.sphere.diameter),
+      .headline = headline_of(found),
+      .notices = {},
+      .sections = {}};
   for (const DataCheck& one : found.contradictions)
     page.notices.push_back(
         {report::Notice::Level::failure,
@@ -321,8 +324,8 @@ report::Report inspection_report(const Inspection& found, const Dataset& dataset
   for (const std::string& warning : found.warnings)
     more.blocks.emplace_back(report::Notice{report::Notice::Level::warning, warning});
   for (const std::string& missing : found.missing)
-    more.blocks.emplace_back(report::Notice{report::Notice::Level::abstention,
-                                            "Needed: " + missing + "."});
+    more.blocks.emplace_back(
+        report::Notice{report::Notice::Level::abstention, "Needed: " + missing + "."});
   if (!more.blocks.empty()) page.sections.push_back(std::move(more));
   return page;
 }

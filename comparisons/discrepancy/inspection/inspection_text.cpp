@@ -18,7 +18,8 @@ std::string shot_text(const InspectedShot& shot) {
   for (const InspectedNumber& number : shot.numbers)
     text += fmt::format("  {:<36}{}\n", number.key, with_error(number.value, number.uncertainty));
   for (const FilteredPeak& one : shot.filters)
-    text += fmt::format("  peak after CFC {:<21}{:+.2f} %\n", one.channel_class, 100.0 * one.change);
+    text +=
+        fmt::format("  peak after CFC {:<21}{:+.2f} %\n", one.channel_class, 100.0 * one.change);
   for (const std::string& reason : shot.too_coarse)
     text += fmt::format("  TOO COARSE  {}\n", reason);
   return text;
@@ -44,16 +45,18 @@ std::string to_text(const Inspection& found) {
     text += fmt::format("no contradiction in {} checks (limit {:.1f} standard deviations)\n",
                         found.checks.size(), found.contradiction_limit);
   for (const DataCheck& one : found.contradictions)
-    text += fmt::format("CONTRADICTION  {} of {}: {:.4g}, expected {:.4g} ({:+.1f} standard "
-                        "deviations){}{}\n",
-                        one.what, one.of, one.measured, one.expected, one.deviations(),
-                        one.mended_by.empty() ? "" : "; mended by ", one.mended_by);
+    text += fmt::format(
+        "CONTRADICTION  {} of {}: {:.4g}, expected {:.4g} ({:+.1f} standard "
+        "deviations){}{}\n",
+        one.what, one.of, one.measured, one.expected, one.deviations(),
+        one.mended_by.empty() ? "" : "; mended by ", one.mended_by);
   text += noise_text(found.noise);
   for (const InspectedShot& shot : found.shots) text += shot_text(shot);
   for (const RepeatedSpeed& one : found.repeats)
-    text += fmt::format("repeats at {:.4g} m/s  {}: {:.5g}, scatter {:.2g} of {}{}\n", one.speed,
-                        one.key, one.mean, one.scatter, one.count,
-                        one.typical_error ? fmt::format(", stated {:.2g}", *one.typical_error) : "");
+    text +=
+        fmt::format("repeats at {:.4g} m/s  {}: {:.5g}, scatter {:.2g} of {}{}\n", one.speed,
+                    one.key, one.mean, one.scatter, one.count,
+                    one.typical_error ? fmt::format(", stated {:.2g}", *one.typical_error) : "");
   for (const std::string& warning : found.warnings) text += "warning   " + warning + "\n";
   for (const std::string& missing : found.missing) text += "missing   " + missing + "\n";
   return text;

@@ -221,9 +221,9 @@ LawCalibration calibrate(const LawRequest& request, const std::vector<MeasuredIm
   if (request.damping_formula.empty() && options.observable == Observable::scalars) {
     const auto guessed = with_guessed_records(shots, request.law, request.fixed);
     return calibrate_to_scalars(
-        LawUnknowns(request.law, guessed,
-                    {.fixed = request.fixed, .also_free = request.free,
-                     .per_speed = request.per_speed}),
+        LawUnknowns(
+            request.law, guessed,
+            {.fixed = request.fixed, .also_free = request.free, .per_speed = request.per_speed}),
         shots, options, control);
   }
   if (request.damping_formula.empty()) {

@@ -35,8 +35,8 @@ enum class Observable {
   scalars,           ///< stated restitutions, contact times and the like; no record is needed
 };
 constexpr auto names_of(Observable) {
-  return names_list<Observable>(
-      {{"force-deflection", Observable::force_deflection}, {"force-time", Observable::force_time},
+  return names_list<Observable>({{"force-deflection", Observable::force_deflection},
+                                 {"force-time", Observable::force_time},
                                  {"scalars", Observable::scalars}});
 }
 

@@ -26,8 +26,8 @@ std::optional<double> contact_time_of(const MeasuredImpact& shot, double impulse
     if (other.default_value) values.try_emplace(other.name, *other.default_value);
   const double n = 1.0 - card.dimension(values).metre;  // N/m^n
   const double v = shot.impact.speed;
-  const double x = std::pow(0.5 * (n + 1.0) * shot.sphere.mass * v * v / stiffness->second,
-                            1.0 / (n + 1.0));
+  const double x =
+      std::pow(0.5 * (n + 1.0) * shot.sphere.mass * v * v / stiffness->second, 1.0 / (n + 1.0));
   return hertz_contact_time * x / v;
 }
 
@@ -55,15 +55,13 @@ std::vector<double> ScalarResiduals::operator()(const ModelOfShot& model_of) con
   std::vector<double> residuals;
   for (std::size_t k = 0; k < shots_.size(); ++k) {
     const MeasuredImpact& shot = shots_[k];
-    const LumpedResult result =
-        simulate_fast({.sphere = shot.sphere,
-                       .impact = shot.impact,
-                       .model = model_of(k),
-                       .controls = {.relative_tolerance = fit_tolerance}});
+    const LumpedResult result = simulate_fast({.sphere = shot.sphere,
+                                               .impact = shot.impact,
+                                               .model = model_of(k),
+                                               .controls = {.relative_tolerance = fit_tolerance}});
     for (const ScalarQuantity& scalar : scalar_quantities)
       if (const Measured& stated = shot.*scalar.measured; stated.has_error())
-        residuals.push_back((modelled(scalar, result, shot) - *stated.value) /
-                            *stated.uncertainty);
+        residuals.push_back((modelled(scalar, result, shot) - *stated.value) / *stated.uncertainty);
   }
   return residuals;
 }

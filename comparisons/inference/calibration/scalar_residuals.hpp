@@ -26,7 +26,8 @@ class ScalarResiduals {
 /// A record of the size that such a shot must have had, to guess unknowns from: a half sine of the
 /// impulse m v (1 + e).
 ///
-///   T   as stated; or π J/(2 F) of a stated peak; or Hertz's, 2.94 x/v, x from ½ m v² = κ x^(n+1)/(n+1)
+///   T   as stated; or π J/(2 F) of a stated peak; or Hertz's, 2.94 x/v, x from ½ m v² = κ
+///   x^(n+1)/(n+1)
 ///       of a stiffness that is fixed
 ///
 /// Errors: Error(bad_input) with key "fixed.stiffness" where nothing tells the stiffness: a

@@ -16,8 +16,8 @@ struct Candidate {
 
 /// How a candidate did at a speed it was not fitted to.
 struct LeftOut {
-  double speed = 0.0;      ///< [m/s]
-  std::string failure;     ///< why there is no prediction; empty: there is
+  double speed = 0.0;   ///< [m/s]
+  std::string failure;  ///< why there is no prediction; empty: there is
   /// Of force over time, over the peak force, mean square over shots; of scalars in standard
   /// deviations, where those were fitted.
   double force_rms = 0.0;

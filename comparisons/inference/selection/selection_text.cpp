@@ -64,9 +64,8 @@ std::string to_text(const Selection& selection) {
   const bool scalars = selection.observable == Observable::scalars;
   const double scale = scalars ? 1.0 : 100.0;
   const char* unit = scalars ? "sigma" : "%";
-  std::string text = fmt::format("{:<28}{:>4}{:>12}{:>12}{:>16}  left-out speeds ({} rms)\n",
-                                 "law", "M", "BIC", "AICc", "prediction",
-                                 scalars ? "scalars," : "force");
+  std::string text = fmt::format("{:<28}{:>4}{:>12}{:>12}{:>16}  left-out speeds ({} rms)\n", "law",
+                                 "M", "BIC", "AICc", "prediction", scalars ? "scalars," : "force");
   for (const auto& c : selection.candidates) {
     if (!c.failure.empty()) {
       text += fmt::format("{:<28}none: {}\n", c.label, c.failure);

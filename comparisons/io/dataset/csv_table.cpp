@@ -107,7 +107,8 @@ class CsvReader {
     const auto end = digits.data() + digits.size();
     const auto [stop, status] = std::from_chars(digits.data(), end, value);
     if (status != std::errc{} || stop != end)
-      refuse(lines_.is_unfinished() ? "this is no number; was the last line cut off?" : "this is no number",
+      refuse(lines_.is_unfinished() ? "this is no number; was the last line cut off?"
+                                    : "this is no number",
              column, field, "a number with a decimal point");
     if (!std::isfinite(value)) refuse("the number must be finite", column, field);
     return value;

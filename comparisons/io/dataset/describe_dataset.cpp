@@ -131,12 +131,13 @@ void describe(Visitor& visit, Instrument& instrument) {
 void describe(Visitor& visit, MeasuredImpact& shot) {
   std::optional<double> speed;
   if (shot.impact.speed > 0.0) speed = shot.impact.speed;
-  visit.number({.name = "speed",
-                .sentence = "Approach speed at first touch; or gates, a drop or flight times below.",
-                .presence = optional,
-                .unit = "m/s",
-                .range = above_up_to(0.0, 1000.0)},
-               speed);
+  visit.number(
+      {.name = "speed",
+       .sentence = "Approach speed at first touch; or gates, a drop or flight times below.",
+       .presence = optional,
+       .unit = "m/s",
+       .range = above_up_to(0.0, 1000.0)},
+      speed);
   if (speed) shot.impact.speed = *speed;
   visit.number({.name = "speed_uncertainty",
                 .sentence = "One standard deviation of the speed.",
@@ -251,20 +252,19 @@ void describe(Visitor& visit, ShotTable& table) {
                 .presence = optional,
                 .range = above_up_to(0.0, 1.0)},
                table.restitution_relative_uncertainty);
-  visit.visit_table({.name = "columns", .sentence = "Which heading holds which key of a shot."},
-                    [&](Visitor& inner) {
-                      for (const std::string& key : shot_column_keys()) {
-                        std::string heading = table.columns[key];
-                        inner.text({.name = key,
-                                    .sentence = "Heading of that column.",
-                                    .presence = optional},
-                                   heading);
-                        if (heading.empty())
-                          table.columns.erase(key);
-                        else
-                          table.columns[key] = heading;
-                      }
-                    });
+  visit.visit_table(
+      {.name = "columns", .sentence = "Which heading holds which key of a shot."},
+      [&](Visitor& inner) {
+        for (const std::string& key : shot_column_keys()) {
+          std::string heading = table.columns[key];
+          inner.text({.name = key, .sentence = "Heading of that column.", .presence = optional},
+                     heading);
+          if (heading.empty())
+            table.columns.erase(key);
+          else
+            table.columns[key] = heading;
+        }
+      });
   visit.table({.name = "common",
                .sentence = "What is said of every row alike; any key of a shot.",
                .presence = optional},
@@ -356,10 +356,9 @@ void describe(Visitor& visit, Dataset& dataset) {
                .sentence = "Columns of the traces, where they are not time, force, deflection.",
                .presence = optional},
               dataset.channels);
-  visit.table({.name = "air",
-               .sentence = "The air that dropped balls fall through.",
-               .presence = optional},
-              dataset.air);
+  visit.table(
+      {.name = "air", .sentence = "The air that dropped balls fall through.", .presence = optional},
+      dataset.air);
   visit.list({.name = "shot_table",
               .sentence = "Impacts in the rows of a table; repeat for more.",
               .presence = optional},

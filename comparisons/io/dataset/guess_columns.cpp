@@ -32,7 +32,7 @@ bool has_any(const std::vector<std::string>& words, const std::vector<std::strin
   });
 }
 
-const std::vector<std::string> back_words{"rebound", "outbound", "out",    "after", "exit",
+const std::vector<std::string> back_words{"rebound", "outbound", "out",     "after", "exit",
                                           "return",  "bounce",   "bounced", "v1",    "vout"};
 
 /// The key that a column without "sd" and the like would hold; empty: none.
@@ -81,10 +81,10 @@ GuessedColumns guess_shot_columns(const TablePreview& preview) {
         has_any(words, {"sd", "std", "sigma", "uncertainty", "err", "error", "u", "se", "stdev"});
     if (!key.empty() && error) key += "_uncertainty";
     if (key.empty() || guessed.by_key.contains(key))
-      guessed.remarks.push_back(fmt::format(
-          "{}: {}", heading.text,
-          !key.empty()                          ? "a second " + key
-          : preview.is_number[i] && !unit       ? "states no unit that is known, or no known name"
+      guessed.remarks.push_back(fmt::format("{}: {}", heading.text,
+                                            !key.empty() ? "a second " + key
+                                            : preview.is_number[i] && !unit
+                                                ? "states no unit that is known, or no known name"
                                                 : "no known name"));
     else
       guessed.by_key[key] = i;

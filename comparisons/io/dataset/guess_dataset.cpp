@@ -37,7 +37,8 @@ std::string head_of(const std::filesystem::path& file, const TablePreview& previ
                                                              : "commas";
   return fmt::format(
       "# Written for {} by `rebound init dataset --from`. Lines marked GUESSED were guessed from\n"
-      "# names, units and numbers: look at each, then take the mark away. \"?\" is to be filled in.\n"
+      "# names, units and numbers: look at each, then take the mark away. \"?\" is to be filled "
+      "in.\n"
       "# The file: heading in line {}, {} rows, parted by {}, decimal {}.\n"
       "# All keys: rebound schema dataset. Then: rebound inspect FOLDER.\n"
       "schema = 1\nname = {}\n",
@@ -66,9 +67,8 @@ std::optional<ChannelGuess> guess_channel(const TablePreview& preview, std::size
   const ColumnHeading& heading = preview.headings[i];
   const bool named_acceleration = starts_like(heading.name, {"acc", "a", "decel", "a1", "a2"});
   if (!heading.unit.empty()) {
-    const auto unit = find_unit(heading.unit, named_acceleration
-                                                  ? std::optional(dimension::acceleration)
-                                                  : std::nullopt);
+    const auto unit = find_unit(
+        heading.unit, named_acceleration ? std::optional(dimension::acceleration) : std::nullopt);
     if (!unit) return std::nullopt;
     return ChannelGuess{i, unit->dimension, false};
   }
@@ -154,7 +154,8 @@ RecordGuess look_at_record(const std::filesystem::path& file, const TablePreview
   for (double& value : force) value = guess.reversed ? mean - value : value - mean;
   const double peak = *std::max_element(force.begin(), force.end());
   if (peak > 0.0)
-    guess.long_record = 20 * contact_window(force, clearly_in_contact * peak).count() < force.size();
+    guess.long_record =
+        20 * contact_window(force, clearly_in_contact * peak).count() < force.size();
   return guess;
 }
 
@@ -175,8 +176,8 @@ std::string channels_section(const TablePreview& preview, const TraceGuess& trac
   if (trace.deflection) add("deflection", "deflection_unit", *trace.deflection);
   text += units;
   if (record.reversed)
-    text += fmt::format("{:<44} {}: the largest swing is downwards\n", "reversed = true",
-                        guessed_mark);
+    text +=
+        fmt::format("{:<44} {}: the largest swing is downwards\n", "reversed = true", guessed_mark);
   if (record.offset)
     text += entry("baseline", "before-contact",
                   fmt::format("{}: the start of the record is off zero", guessed_mark));
@@ -188,8 +189,9 @@ std::string channels_section(const TablePreview& preview, const TraceGuess& trac
 
 std::string trace_manifest(const std::filesystem::path& file, const TablePreview& preview,
                            const TraceGuess& trace, const DatasetHints& hints) {
-  std::string text = head_of(file, preview) + "\n" + sphere_section(hints) +
-                     "[instrument]\n# force_gain_uncertainty = 0.02\n# force_bandwidth = \"20 kHz\"\n";
+  std::string text =
+      head_of(file, preview) + "\n" + sphere_section(hints) +
+      "[instrument]\n# force_gain_uncertainty = 0.02\n# force_bandwidth = \"20 kHz\"\n";
   if (trace.deflection)
     text += entry("deflection", "unknown",
                   "# TO BE SAID: independent (an instrument of its own) or integrated");
@@ -245,8 +247,7 @@ std::vector<std::string> balls_in(const std::filesystem::path& file, const Table
 
 std::string folder_of(const std::string& ball) {
   std::string name = "ball-";
-  for (const char sign : ball)
-    name += std::isalnum(static_cast<unsigned char>(sign)) ? sign : '-';
+  for (const char sign : ball) name += std::isalnum(static_cast<unsigned char>(sign)) ? sign : '-';
   return name;
 }
 

@@ -89,8 +89,7 @@ Dataset read_dataset(const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < dataset.shots.size(); ++i) {
     check_shot(document, dataset.shots[i], i);
     const std::string key = fmt::format("shot[{}]", i);
-    if (!dataset.shots[i].trace_file.empty())
-      read_trace(document, dataset, dataset.shots[i], key);
+    if (!dataset.shots[i].trace_file.empty()) read_trace(document, dataset, dataset.shots[i], key);
     settle_shot(document, dataset, dataset.shots[i], key);
   }
   read_shot_tables(document, dataset);

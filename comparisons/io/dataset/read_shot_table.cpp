@@ -33,10 +33,9 @@ std::vector<ColumnTarget> number_targets() {
     targets.push_back({key, of_scalar[i], [member](MeasuredImpact& shot, double value) {
                          (shot.*member).value = value;
                        }});
-    targets.push_back({key + "_uncertainty", of_scalar[i],
-                       [member](MeasuredImpact& shot, double value) {
-                         (shot.*member).uncertainty = value;
-                       }});
+    targets.push_back(
+        {key + "_uncertainty", of_scalar[i],
+         [member](MeasuredImpact& shot, double value) { (shot.*member).uncertainty = value; }});
   }
   for (const ReadingQuantity& quantity : reading_quantities) {
     const auto member = quantity.member;
@@ -45,10 +44,10 @@ std::vector<ColumnTarget> number_targets() {
     targets.push_back({key, dimension, [member](MeasuredImpact& shot, double value) {
                          (shot.readings.*member).value = value;
                        }});
-    targets.push_back({key + "_uncertainty", dimension,
-                       [member](MeasuredImpact& shot, double value) {
-                         (shot.readings.*member).uncertainty = value;
-                       }});
+    targets.push_back(
+        {key + "_uncertainty", dimension, [member](MeasuredImpact& shot, double value) {
+           (shot.readings.*member).uncertainty = value;
+         }});
   }
   return targets;
 }
@@ -82,7 +81,8 @@ void apply_relative(const ShotTable& table, MeasuredImpact& shot) {
   if (table.speed_relative_uncertainty && !shot.speed_uncertainty)
     shot.speed_uncertainty = *table.speed_relative_uncertainty * shot.impact.speed;
   if (table.restitution_relative_uncertainty && shot.restitution.value)
-    shot.restitution.uncertainty = *table.restitution_relative_uncertainty * *shot.restitution.value;
+    shot.restitution.uncertainty =
+        *table.restitution_relative_uncertainty * *shot.restitution.value;
 }
 
 [[noreturn]] void refuse_row(const std::filesystem::path& file, int line, const Error& error) {

@@ -61,16 +61,16 @@ void read_trace(const Document& document, Dataset& dataset, MeasuredImpact& shot
                 const std::string& key) {
   const TraceChannels& channels = dataset.channels;
   const auto file = file_in_folder(document, key + ".trace", shot.trace_file);
-  LaboratoryTable table = read_laboratory_table(
-      file, {{.heading = or_else(channels.time, "time"),
-              .accepted = {dimension::time},
-              .increases = true,
-              .unit = channels.time_unit},
-             wanted_force(channels, shot),
-             {.heading = or_else(channels.deflection, "deflection"),
-              .accepted = {dimension::length},
-              .unit = channels.deflection_unit,
-              .is_optional = channels.deflection.empty()}});
+  LaboratoryTable table =
+      read_laboratory_table(file, {{.heading = or_else(channels.time, "time"),
+                                    .accepted = {dimension::time},
+                                    .increases = true,
+                                    .unit = channels.time_unit},
+                                   wanted_force(channels, shot),
+                                   {.heading = or_else(channels.deflection, "deflection"),
+                                    .accepted = {dimension::length},
+                                    .unit = channels.deflection_unit,
+                                    .is_optional = channels.deflection.empty()}});
   note_left_out_line(dataset, file, table.left_out_line);
   constexpr std::size_t fewest_samples = 3;  // the shared scalar definitions need them
   if (table.lines.size() < fewest_samples)

@@ -31,14 +31,14 @@ constexpr auto names_of(KeptRecord) {
 
 /// Which columns of a trace file are what, where its headings are not time, force and deflection.
 struct TraceChannels {
-  std::string time;          ///< heading; empty: "time"
-  std::string force;         ///< empty: "force"
-  std::string acceleration;  ///< of the ball: times its mass it is the force
-  std::string deflection;    ///< empty: "deflection", where there is one
+  std::string time;             ///< heading; empty: "time"
+  std::string force;            ///< empty: "force"
+  std::string acceleration;     ///< of the ball: times its mass it is the force
+  std::string deflection;       ///< empty: "deflection", where there is one
   std::string time_unit;        ///< of a heading that states none
   std::string force_unit;       ///< of force or acceleration
   std::string deflection_unit;  ///< likewise
-  bool reversed = false;     ///< a force, or deceleration, recorded with the other sign
+  bool reversed = false;        ///< a force, or deceleration, recorded with the other sign
   Baseline baseline = Baseline::as_recorded;
   KeptRecord keep = KeptRecord::whole;
 };

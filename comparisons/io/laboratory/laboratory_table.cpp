@@ -115,7 +115,6 @@ class TableReader {
     return *value;
   }
 
-
   void need_increase(const ReadColumn& column, std::string_view field) const {
     const std::size_t n = column.numbers.size();
     if (n > 1 && !(column.numbers[n - 1] > column.numbers[n - 2]))

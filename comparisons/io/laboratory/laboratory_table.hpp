@@ -59,8 +59,8 @@ struct TablePreview {
 };
 
 /// Looks for the heading: the first line of two fields or more, none of them a number, that is
-/// followed by a row of as many fields with a number among them, or by a row of units and such a row.
-/// Errors: Error(bad_input) where there is none; Error(input_output_failed).
+/// followed by a row of as many fields with a number among them, or by a row of units and such a
+/// row. Errors: Error(bad_input) where there is none; Error(input_output_failed).
 TablePreview preview_table(const std::filesystem::path& file);
 
 }  // namespace rebound

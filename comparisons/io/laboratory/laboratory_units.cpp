@@ -66,7 +66,7 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 std::string one_spelling(std::string_view written) {
   std::string text(trimmed(written));
   const std::pair<std::string_view, std::string_view> same[] = {
-      {"\u207b", "-"}, {"\u00b9", "1"}, {"\u00b2", "2"},    {"\u00b3", "3"},     {"**", "^"},
+      {"\u207b", "-"}, {"\u00b9", "1"}, {"\u00b2", "2"},    {"\u00b3", "3"},   {"**", "^"},
       {"\u00b7", "."}, {"*", "."},      {"m_s^2", "m/s^2"}, {"m_s2", "m/s^2"}, {"m_s", "m/s"},
       {"s2", "s^2"},   {"s.-", "s^-"},  {"s-2", "s^-2"},    {"s-1", "s^-1"},   {" ", "."}};
   for (const auto& [from, to] : same) text = replaced(text, from, to);

@@ -19,7 +19,8 @@ struct LaboratoryUnit {
 /// written "g".
 ///
 /// Error: nothing for text that is no unit.
-/// Source: factors of yard, pound, mile and gₙ = 9.80665 m/s² are exact by definition (NIST SP 811).
+/// Source: factors of yard, pound, mile and gₙ = 9.80665 m/s² are exact by definition (NIST SP
+/// 811).
 std::optional<LaboratoryUnit> find_unit(std::string_view text,
                                         const std::optional<Dimension>& wanted = {});
 

@@ -19,8 +19,8 @@ std::vector<ColumnHeading> headings_in(const TextLines& lines, std::string_view 
                                        char separator) {
   const auto fields = split_fields(line, separator);
   if (fields.size() > most_columns)
-    lines.refuse(fmt::format("the line has {} columns; {} are the most", fields.size(),
-                             most_columns));
+    lines.refuse(
+        fmt::format("the line has {} columns; {} are the most", fields.size(), most_columns));
   std::vector<ColumnHeading> headings;
   for (const std::string_view field : fields) headings.push_back(parse_heading(field));
   return headings;

@@ -56,10 +56,9 @@ TablePreview preview_table(const std::filesystem::path& file) {
   std::string_view line;
   while (lines.next(line)) {
     if (is_passed_over(line)) continue;
-    const char separator =
-        preview     ? preview->dialect.separator
-        : candidate ? separator_of(candidate->line)
-                    : separator_of(line);
+    const char separator = preview     ? preview->dialect.separator
+                           : candidate ? separator_of(candidate->line)
+                                       : separator_of(line);
     const auto fields = split_fields(line, separator);
     if (preview) {
       look_at_row(fields, *preview);

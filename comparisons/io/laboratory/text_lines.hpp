@@ -21,7 +21,7 @@ class TextLines {
   bool next(std::string_view& line);
 
   const std::string& name() const { return name_; }
-  int number() const { return number_; }             ///< of the line at hand, from 1
+  int number() const { return number_; }              ///< of the line at hand, from 1
   bool is_unfinished() const { return unfinished_; }  ///< the line at hand has no line end
 
   /// An error at a field of the line at hand. `field` must be a part of the line, or empty.

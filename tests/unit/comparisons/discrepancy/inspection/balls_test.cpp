@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(ScalarCalibration, ARestitutionAloneTellsNoStiffness) {
-  const auto shots = read_scalar_references(
-      std::filesystem::path(REBOUND_DATA_FOLDER) / "balls" / "golf-ball");
+  const auto shots =
+      read_scalar_references(std::filesystem::path(REBOUND_DATA_FOLDER) / "balls" / "golf-ball");
   LawCalibrationOptions options;
   options.observable = Observable::scalars;
   const Error error = testing::refusal_of([&] {
@@ -91,8 +91,8 @@ TEST(ScalarCalibration, ARestitutionAloneTellsNoStiffness) {
   EXPECT_EQ(error.location().key, "fixed.stiffness");
 }
 
-/// The restitution of Hunt-Crossley depends on damping times speed over stiffness alone, here exactly
-/// p(1 + e) = ln((1 + p)/(1 - p e)): e = 0.59362426 at p = 1 (verification case h).
+/// The restitution of Hunt-Crossley depends on damping times speed over stiffness alone, here
+/// exactly p(1 + e) = ln((1 + p)/(1 - p e)): e = 0.59362426 at p = 1 (verification case h).
 TEST(ScalarCalibration, FindsTheDampingOfAClosedForm) {
   MeasuredImpact shot;
   shot.sphere = {.mass = 0.0896, .diameter = 0.0662};

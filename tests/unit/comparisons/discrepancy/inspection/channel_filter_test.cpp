@@ -57,7 +57,9 @@ TEST(ChannelFilterEnds, ASymmetricPulseStaysSymmetric) {
 }
 
 TEST(ChannelFilterEnds, TooFewSamplesASecondAreRefused) {
-  EXPECT_EQ(testing::refusal_of([] { channel_filtered({0, 1, 0}, 1e-3, 180.0); }).code(),
+  EXPECT_EQ(testing::refusal_of([] {
+              channel_filtered({0, 1, 0}, 1e-3, 180.0);
+            }).code(),
             ExitCode::bad_input);
 }
 

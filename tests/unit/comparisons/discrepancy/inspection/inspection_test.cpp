@@ -96,8 +96,7 @@ TEST(InspectionTest, WhatIsTooCoarseIsSaid) {
   const auto words = [](const Recording& r) {
     std::string text;
     const Inspection found = inspect(dataset_of({r}));
-    for (const std::string& why : found.shots.front().too_coarse)
-      text += why + "; ";
+    for (const std::string& why : found.shots.front().too_coarse) text += why + "; ";
     return text;
   };
   EXPECT_NE(words({.interval = 2e-4}).find("samples in contact"), std::string::npos);

@@ -1,5 +1,5 @@
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <numbers>
 
 #include "comparisons/io/dataset/describe_dataset.hpp"
@@ -58,12 +58,12 @@ keep = "around-contact"
   EXPECT_NEAR(trace.force.front(), 0.0, 1e-3);
   EXPECT_NEAR(trace.force.back(), 0.0, 1e-3);
   EXPECT_NEAR(trace.time.back() - trace.time.front(), 8 * 1.87e-3, 0.2e-3);
-  const Error wrong_sign = refusal_of([&] {
-    read(folder, "[channels]\ntime = \"Zeit\"\nacceleration = \"a1\"\n" + shot);
-  });
+  const Error wrong_sign = refusal_of(
+      [&] { read(folder, "[channels]\ntime = \"Zeit\"\nacceleration = \"a1\"\n" + shot); });
   EXPECT_EQ(wrong_sign.location().key, "channels.reversed");
-  const Error wrong_unit = refusal_of(
-      [&] { read(folder, "[channels]\ntime = \"Zeit\"\nforce = \"a1\"\nreversed = true\n" + shot); });
+  const Error wrong_unit = refusal_of([&] {
+    read(folder, "[channels]\ntime = \"Zeit\"\nforce = \"a1\"\nreversed = true\n" + shot);
+  });
   EXPECT_NE(wrong_unit.location().file.find("a.csv"), std::string::npos);
   EXPECT_EQ(wrong_unit.location().key, "a1");
 }
@@ -171,13 +171,13 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refused{"NoSpeed", "[[shot]]\nrestitution = 0.5\n", "shot[0].speed"},
         Refused{"ReboundAlone", "[[shot]]\nrebound_height = \"1 m\"\n", "shot[0].speed"},
-        Refused{"FasterThanItCame",
-                "[[shot]]\ndrop_height = \"1 m\"\nrebound_height = \"2 m\"\n",
+        Refused{"FasterThanItCame", "[[shot]]\ndrop_height = \"1 m\"\nrebound_height = \"2 m\"\n",
                 "shot[0].restitution"},
         Refused{"SpeedAgainstDrop", "[[shot]]\nspeed = \"9 m/s\"\ndrop_height = \"1 m\"\n",
                 "shot[0].speed"},
-        Refused{"UncertaintyAlone", "[[shot]]\nspeed = \"9 m/s\"\nrestitution = 0.5\n"
-                                    "drop_height_uncertainty = \"1 mm\"\n",
+        Refused{"UncertaintyAlone",
+                "[[shot]]\nspeed = \"9 m/s\"\nrestitution = 0.5\n"
+                "drop_height_uncertainty = \"1 mm\"\n",
                 "shot[0].drop_height_uncertainty"},
         Refused{"ForceAndAcceleration",
                 "[channels]\nforce = \"F\"\nacceleration = \"a\"\n[[shot]]\nspeed = \"9 m/s\"\n"

@@ -41,12 +41,15 @@ INSTANTIATE_TEST_SUITE_P(
         Accepted{"Semicolons", "Time (ms);Force (kN)\n0;-1\n1;2.5\n"},
         Accepted{"Tabulators", "Time / s\tForce / N\n0\t-1e3\n1e-3\t+2500\n"},
         Accepted{"DecimalCommas", "Time_ms;Force_kN\n0,0;-1,0\n1,0;2,5\n"},
-        Accepted{"MarkAndWindowsLineEnds", "\xef\xbb\xbfTime_us,Force_N\r\n0,-1000\r\n1000,2500\r\n"},
+        Accepted{"MarkAndWindowsLineEnds",
+                 "\xef\xbb\xbfTime_us,Force_N\r\n0,-1000\r\n1000,2500\r\n"},
         Accepted{"RowOfUnits", "Time;Force\n(ms);[kN]\n0;-1\n1;2.5\n"},
         Accepted{"LinesAbove", "Recorder 7;2024\nSample;A\nTime [ms];Force [kN]\n0;-1\n1;2.5\n"},
-        Accepted{"Comments", "# made by hand\n% more\nTime [ms],Force [kN]\n\n0,-1\n# a pause\n1,2.5\n"},
+        Accepted{"Comments",
+                 "# made by hand\n% more\nTime [ms],Force [kN]\n\n0,-1\n# a pause\n1,2.5\n"},
         Accepted{"FurtherColumns", "Note,Force [kN],Time [ms]\nfine,-1,0\n\"so, so\",2.5,1\n"},
-        Accepted{"Quotes", "\"Day, hour\",\"Time [ms]\",\"Force [kN]\"\n0,0.000 ,\"-1\"\n1,1,2.5\n"},
+        Accepted{"Quotes",
+                 "\"Day, hour\",\"Time [ms]\",\"Force [kN]\"\n0,0.000 ,\"-1\"\n1,1,2.5\n"},
         Accepted{"TrailingSeparators", "Time [ms];Force [kN]\n0;-1;;\n1;2.5;;\n"}),
     [](const auto& c) { return std::string(c.param.name); });
 
@@ -95,8 +98,7 @@ const std::string semicolons = "Time [s];Force [N]\n";
 INSTANTIATE_TEST_SUITE_P(
     Cases, LaboratoryTableRefuses,
     ::testing::Values(
-        Refused{"Empty", "", 0, 0, "empty"},
-        Refused{"NoRows", head, 1, 0, "no rows"},
+        Refused{"Empty", "", 0, 0, "empty"}, Refused{"NoRows", head, 1, 0, "no rows"},
         Refused{"MissingColumn", "Time [s],Kraft [N]\n0,1\n", 1, 0, "missing"},
         Refused{"ColumnTwice", "Time [s],Force [N],Force [kN]\n0,1,1\n", 1, 1, "twice"},
         Refused{"NoUnit", "Time [s],Force\n0,1\n", 1, 0, "no unit"},
