@@ -176,29 +176,6 @@ LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<Meas
   return calibration;
 }
 
-LawCalibration calibrate_to_scalars(const LawUnknowns& law,
-                                    const std::vector<MeasuredImpact>& shots,
-                                    const LawCalibrationOptions& options,
-                                    const RunControl& control) {
-  if (options.nuisances.any())
-    throw Error(ExitCode::bad_input, "nuisances belong to a record of the force",
-                {.key = "nuisance", .value = "", .allowed = "none with observable = \"scalars\""});
-  const ScalarResiduals residuals(shots);
-  CalibrationProblem problem;
-  problem.parameters = law.parameters();
-  problem.controls = options.controls;
-  problem.noise = NoiseKnowledge::known;
-  problem.residuals = [&](const std::vector<double>& x) {
-    return residuals([&](std::size_t i) { return law.model_for(x, i); });
-  };
-  LawCalibration calibration;
-  calibration.fit = calibrate(problem, control);
-  std::vector<double> estimates;
-  for (const Estimate& e : calibration.fit.estimates) estimates.push_back(e.value);
-  calibration.model = law.model(estimates);
-  return calibration;
-}
-
 /// Shots are looked at before unknowns are guessed from them.
 void check_shots(const std::vector<MeasuredImpact>& shots) {
   noise_of(shots);
@@ -218,14 +195,8 @@ LawCalibration calibrate_law(const std::string& law, const std::vector<MeasuredI
 
 LawCalibration calibrate(const LawRequest& request, const std::vector<MeasuredImpact>& shots,
                          const LawCalibrationOptions& options, const RunControl& control) {
-  if (request.damping_formula.empty() && options.observable == Observable::scalars) {
-    const auto guessed = with_guessed_records(shots, request.law, request.fixed);
-    return calibrate_to_scalars(
-        LawUnknowns(
-            request.law, guessed,
-            {.fixed = request.fixed, .also_free = request.free, .per_speed = request.per_speed}),
-        shots, options, control);
-  }
+  if (request.damping_formula.empty() && options.observable == Observable::scalars)
+    return calibrate_to_scalars(request, shots, options, control);
   if (request.damping_formula.empty()) {
     check_shots(shots);
     return calibrate_unknowns(

@@ -91,4 +91,30 @@ std::vector<MeasuredImpact> with_guessed_records(const std::vector<MeasuredImpac
   return guessed;
 }
 
+LawCalibration calibrate_to_scalars(const LawRequest& request,
+                                    const std::vector<MeasuredImpact>& shots,
+                                    const LawCalibrationOptions& options,
+                                    const RunControl& control) {
+  if (options.nuisances.any())
+    throw Error(ExitCode::bad_input, "nuisances belong to a record of the force",
+                {.key = "nuisance", .value = "", .allowed = "none with observable = \"scalars\""});
+  const ScalarResiduals residuals(shots);
+  const LawUnknowns law(
+      request.law, with_guessed_records(shots, request.law, request.fixed),
+      {.fixed = request.fixed, .also_free = request.free, .per_speed = request.per_speed});
+  CalibrationProblem problem;
+  problem.parameters = law.parameters();
+  problem.controls = options.controls;
+  problem.noise = NoiseKnowledge::known;
+  problem.residuals = [&](const std::vector<double>& x) {
+    return residuals([&](std::size_t i) { return law.model_for(x, i); });
+  };
+  LawCalibration calibration;
+  calibration.fit = calibrate(problem, control);
+  std::vector<double> estimates;
+  for (const Estimate& e : calibration.fit.estimates) estimates.push_back(e.value);
+  calibration.model = law.model(estimates);
+  return calibration;
+}
+
 }  // namespace rebound

@@ -36,4 +36,11 @@ std::vector<MeasuredImpact> with_guessed_records(const std::vector<MeasuredImpac
                                                  const std::string& law,
                                                  const ParameterValues& fixed);
 
+/// A law fitted to the scalars that the shots state.
+/// Errors: Error(bad_input) as above, and with key "nuisance" for one that belongs to a record.
+LawCalibration calibrate_to_scalars(const LawRequest& request,
+                                    const std::vector<MeasuredImpact>& shots,
+                                    const LawCalibrationOptions& options,
+                                    const RunControl& control);
+
 }  // namespace rebound

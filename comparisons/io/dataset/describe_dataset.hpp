@@ -17,6 +17,9 @@ void describe(Visitor& visit, Quasistatic& quasistatic);
 void describe(Visitor& visit, BlockTest& block);
 void describe(Visitor& visit, PooledPeak& peak);
 
+/// A scalar `name` and its standard deviation `name_uncertainty`, both optional.
+void describe_measured(Visitor& visit, const Key& key, Measured& measured);
+
 /// Keys of a shot that a column of a table may hold.
 std::vector<std::string> shot_column_keys();
 
