@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/accuracy/tier_comparison/baseline.hpp"
 
@@ -60,13 +61,29 @@ std::string gap_text(const TierGap& one) {
                           : "");
 }
 
+/// The largest gap between the tiers, as a share of FE, in words.
+std::string largest_gap(const std::vector<CaseComparison>& cases) {
+  double most = -1.0;
+  std::string words = "There is one tier and no baseline: nothing is compared.";
+  for (const CaseComparison& one : cases)
+    for (const TierGap& gap : one.gaps) {
+      const double share = std::abs(gap.lumped / gap.fem - 1.0);
+      if (!(share > most)) continue;
+      most = share;
+      words =
+          fmt::format("The tiers differ by {:.3g} % at most: {} of {} at {:g} m/s, {:.3g} bars.",
+                      100.0 * share, gap.key, one.name, gap.speed, std::abs(gap.bars()));
+    }
+  return words;
+}
+
 std::string headline_of(const std::vector<CaseComparison>& cases) {
   std::vector<std::string> failed;
   for (const CaseComparison& one : cases)
     if (!one.passes()) failed.push_back(one.name);
   if (failed.empty())
     return any_baseline(cases) ? "No tier has moved beyond what its numerical error leaves open."
-                               : "No baseline was asked for: tier is set against tier.";
+                               : largest_gap(cases);
   return fmt::format("{} of {} cases differ by more than numerical error allows: {}.",
                      failed.size(), cases.size(), fmt::join(failed, ", "));
 }

@@ -63,7 +63,7 @@ report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
       std::count_if(dataset.shots.begin(), dataset.shots.end(),
                     [](const MeasuredImpact& shot) { return shot.has_history(); }));
   if (most_skipped > 1)
-    figure.caption += fmt::format(" Of long records every {}th sample is drawn.", most_skipped);
+    figure.caption += fmt::format(" Of long records one sample in {} is drawn.", most_skipped);
   if (records > drawn.size())
     figure.caption +=
         fmt::format(" {} of {} records are drawn, slowest to fastest.", drawn.size(), records);

@@ -156,6 +156,7 @@ std::vector<GuessedDataset> guess_dataset(const std::filesystem::path& file,
                             "[cm]; speed [m/s], rebound speed [m/s]"});
   std::vector<GuessedDataset> datasets;
   const auto balls = balls_in(file, preview, columns);
+  datasets.reserve(balls.size());
   for (const std::string& ball : balls)
     datasets.push_back({balls.size() == 1 ? "" : folder_of(ball),
                         table_manifest(file, preview, columns, ball, hints)});

@@ -22,6 +22,7 @@ std::vector<ColumnHeading> headings_in(const TextLines& lines, std::string_view 
     lines.refuse(
         fmt::format("the line has {} columns; {} are the most", fields.size(), most_columns));
   std::vector<ColumnHeading> headings;
+  headings.reserve(fields.size());
   for (const std::string_view field : fields) headings.push_back(parse_heading(field));
   return headings;
 }
