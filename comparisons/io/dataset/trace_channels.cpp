@@ -81,9 +81,10 @@ void settle_record(const TraceChannels& channels, Trace& trace) {
   if (channels.reversed)
     for (double& force : trace.force) force = -force;
   const auto [lowest, highest] = std::minmax_element(trace.force.begin(), trace.force.end());
-  // Seen from the middle of the record, so that an offset is no sign.
-  const double quiet = trace.force.front();
-  if (quiet - *lowest > *highest - quiet)
+  // Seen from either end, so that an offset is no sign, nor a record that starts or ends in
+  // contact.
+  const auto swings_down = [&](double quiet) { return quiet - *lowest > *highest - quiet; };
+  if (swings_down(trace.force.front()) && swings_down(trace.force.back()))
     throw Error(ExitCode::bad_input,
                 "the force is negative where it is largest; a force is positive in compression",
                 {.key = "channels.reversed",

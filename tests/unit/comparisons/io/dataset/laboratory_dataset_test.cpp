@@ -79,6 +79,16 @@ TEST(TraceChannelsTest, ABaselineNeedsSomethingBeforeContact) {
   EXPECT_NE(error.location().file.find("a.csv"), std::string::npos);
 }
 
+/// Whether such a record is used is for others to say; its sign is right.
+TEST(TraceChannelsTest, ARecordThatStartsOrEndsInContactIsNotReversed) {
+  const TemporaryFolder folder;
+  const std::string shot = "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n";
+  for (const char* rows : {"0,90\n1,100\n2,50\n3,0\n4,0\n", "0,0\n1,0\n2,60\n3,100\n4,90\n"}) {
+    folder.write("a.csv", std::string("time_ms,force_N\n") + rows);
+    EXPECT_EQ(read(folder, shot).shots[0].trace.force.size(), 5u);
+  }
+}
+
 TEST(ShotReadingsTest, SpeedAndRestitutionFromGatesHeightsAndTimes) {
   const TemporaryFolder folder;
   const Dataset dataset = read(folder, R"(
