@@ -76,12 +76,10 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
   const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
   Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
   baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
-  // Data that FE comes no nearer to than the lumped model alone are not those of such a body: seen
-  // against the noise of the data alone, lest FE's own uncertainty covers what is missing.
-  constexpr double plainly_nearer = 25.0, of_the_excess = 0.5;
-  const HypothesisFit& lumped = d.selection.baseline.fit;
-  const double nearer = lumped.chi_square - fit_hypothesis(*d.seen, baseline, control).chi_square;
-  if (nearer < std::max(plainly_nearer, of_the_excess * (lumped.data_chi_square - lumped.freedom)))
+  // Data that FE comes no nearer to than the lumped model alone are not those of such a body.
+  constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
+  if (fit_hypothesis(*d.seen, baseline, control).chi_square >
+      d.selection.baseline.fit.chi_square - plainly_nearer)
     return;
   EffectSelection selection =
       select_effects(*seen, fit_hypothesis(*seen, baseline, control),

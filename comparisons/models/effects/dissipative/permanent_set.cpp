@@ -21,7 +21,7 @@ Effect permanent_set_effect() {
                .moves = ImpactChange{.contact_time = -1, .restitution = -1}},
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
-            problem.model.mechanisms.memory.permanent_set = choice.size;
+            problem.model.mechanisms.memory.permanent_set += choice.size;
           },
       .to_fem =
           [](const EffectChoice& choice, FemProblem& problem) {

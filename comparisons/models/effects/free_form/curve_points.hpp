@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparisons/models/effects/effect.hpp"
+#include "lumped/problem/error.hpp"
 
 /// Further numbers of a free form: values g of a factor 1 + g at evenly spaced points.
 namespace rebound {
@@ -52,6 +53,16 @@ inline FactorCurve curve_of(const EffectChoice& choice, const std::string& prefi
     curve.value[static_cast<std::size_t>(k)] =
         choice.parameters.at(prefix + "_" + std::to_string(k));
   return curve;
+}
+
+/// Adds a curve to what is there, whatever the order.
+/// Errors: Error(bad_input) where a curve of another reach is there.
+inline void add_curve(const FactorCurve& curve, FactorCurve& to) {
+  if (to.end != 0.0 && to.end != curve.end)
+    throw Error(ExitCode::bad_input, "two curves over one quantity must have one reach",
+                {.key = {}, .value = number_text(curve.end), .allowed = number_text(to.end)});
+  to.end = curve.end;
+  for (std::size_t k = 0; k < FactorCurve::points; ++k) to.value[k] += curve.value[k];
 }
 
 }  // namespace rebound

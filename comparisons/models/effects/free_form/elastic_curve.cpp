@@ -43,7 +43,7 @@ Effect elastic_curve_effect() {
           .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
             FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
             curve.value.back() = choice.size;
-            problem.model.mechanisms.elastic.curve = curve;
+            add_curve(curve, problem.model.mechanisms.elastic.curve);
             for (double& value : curve.value) value *= choice.parameters.at("damping_share");
             problem.model.mechanisms.damping.elastic_curve = curve;
           }};

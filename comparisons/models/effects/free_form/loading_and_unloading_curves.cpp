@@ -31,10 +31,10 @@ Effect loading_and_unloading_curves_effect() {
   card.parameters.insert(card.parameters.begin(), load.begin(), load.end());
   return {.card = std::move(card),
           .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-            problem.model.mechanisms.elastic.curve =
-                curve_of(choice, "load", static_cast<int>(FactorCurve::points),
-                         choice.parameters.at("deflection_reach"));
-            set_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
+            add_curve(curve_of(choice, "load", static_cast<int>(FactorCurve::points),
+                               choice.parameters.at("deflection_reach")),
+                      problem.model.mechanisms.elastic.curve);
+            add_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
           }};
 }
 

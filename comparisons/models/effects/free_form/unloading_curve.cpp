@@ -23,7 +23,7 @@ Effect unloading_curve_effect() {
                .is_free_form = true,
                .curves = {unloading_card()}},
       .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-        set_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
+        add_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
       }};
 }
 

@@ -53,15 +53,22 @@ inline std::vector<EffectParameterCard> unloading_numbers() {
            .kind = ParameterKind::largest_deflection}};
 }
 
-/// Writes them beside what the memory has already.
-inline void set_unloading(const EffectChoice& choice, double radius, UnloadingMemory& memory) {
-  memory.permanent_set += choice.parameters.at("set");
-  memory.curve = {.end = 1.0};
-  memory.curve_growth = choice.parameters.at("growth");
-  memory.growth_deflection = choice.parameters.at("deflection_reach") * radius;
+/// Adds them to what the memory has already, whatever the order.
+/// Errors: Error(bad_input) where a curve that is counted from another reach is there.
+inline void add_unloading(const EffectChoice& choice, double radius, UnloadingMemory& memory) {
+  const double reach = choice.parameters.at("deflection_reach") * radius;
+  if (memory.curve.end != 0.0 && memory.growth_deflection != reach)
+    throw Error(
+        ExitCode::bad_input, "two curves of unloading must be counted from one reach",
+        {.key = {}, .value = number_text(reach), .allowed = number_text(memory.growth_deflection)});
+  FactorCurve curve{.end = 1.0};
   for (const std::size_t k : {0, 1, 3, 4})
-    memory.curve.value[k] = choice.parameters.at("at_" + std::to_string(k));
-  memory.curve.value[2] = -choice.size;
+    curve.value[k] = choice.parameters.at("at_" + std::to_string(k));
+  curve.value[2] = -choice.size;
+  add_curve(curve, memory.curve);
+  memory.permanent_set += choice.parameters.at("set");
+  memory.curve_growth += choice.parameters.at("growth");
+  memory.growth_deflection = reach;
 }
 
 }  // namespace rebound
