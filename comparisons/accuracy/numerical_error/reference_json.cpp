@@ -15,7 +15,9 @@ Json to_json(const ReferenceImpact& reference) {
         {"step", error.step},
         {"scatter", error.scatter}};
   }
-  json["reference"] = {{"limit", reference_limit}, {"beyond", beyond_reference_limit(reference)}};
+  json["reference"] = {{"limit", reference_limit},
+                       {"beyond", beyond_reference_limit(reference)},
+                       {"contact_nodes", reference.contact_nodes}};
   json["family"] = Json::array();
   for (const FamilyMember& member : reference.family)
     json["family"].push_back({{"cells", member.cells},

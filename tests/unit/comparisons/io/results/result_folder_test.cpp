@@ -42,7 +42,7 @@ TEST(TraceCsvTest, EnergiesFollowTheFurtherColumns) {
   const std::string text = trace_csv(result.trace, result.energies);
   EXPECT_TRUE(
       text.starts_with("time_s,force_N,deflection_m,pole_deflection_m,"
-                       "kinetic_centre_of_mass_J,kinetic_vibration_J,stored_J,branches_J,"
+                       "kinetic_centre_of_mass_J,kinetic_vibration_J,stored_J,held_J,dissipated_J,"
                        "contact_constraint_J\n0,0,0,0,1,0,0,0,0\n"))
       << text;
   EXPECT_THROW(trace_csv(result.trace, {}), Error);
