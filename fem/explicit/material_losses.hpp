@@ -17,7 +17,8 @@ namespace rebound::fem {
 /// A branch by convolution has no energy of its own at finite strain: how its work is split into
 /// lost and held is exact at small strain, and at any before it relaxes and once it has; their
 /// sum is exact always.
-/// Error:  second order in the step where it is below the relaxation times.
+/// Error:  second order in the step; for branches faster than a step the order of the strain,
+///         of losses that are next to none.
 /// Limit:  the balance of impacts with each kind of loss -> test MaterialLossesTest.BalanceCloses
 class MaterialLosses {
  public:

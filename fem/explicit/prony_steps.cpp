@@ -34,6 +34,7 @@ PronySteps::PronySteps(const ViscoelasticConstants& material, double first_step)
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].deviatoric_share = branches_[i].deviatoric_share;
     steps_[i].volumetric_share = branches_[i].volumetric_share;
+    steps_[i].stiff = branches_[i].relaxation_time < first_step;
     steps_[i].inverse_time = 1.0 / branches_[i].relaxation_time;
     steps_[i].held_per_deviator =
         1.0 / (4.0 * branches_[i].deviatoric_share * material.instantaneous.shear);
@@ -54,6 +55,7 @@ void PronySteps::advance(double next) {
   const bool same = next == step_;
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].gain = steps_[i].gain_next;
+    steps_[i].stiff_work = 2.0 * step_ / branches_[i].relaxation_time;
     BranchFlow& flow = steps_[i].flow;
     flow.before = flow.next;
     flow.decay_before = flow.decay_next;

@@ -37,8 +37,12 @@ struct BranchStep {
   double held_per_deviator = 0.0;  ///< 1/(4 g_d μ): energy held over |dev Q|² [1/Pa]
   double held_per_trace = 0.0;     ///< 1/(18 g_v K), over (tr Q)²; 0 where volume does not relax
   double held_rounding = 0.0;      ///< energy density below which D measures nothing [J/m³]
-  bool multiplicative = false;     ///< then the members above are not used, those below are
-  Moduli moduli;                   ///< μ_b, K_b [Pa]
+  /// τ below the first step: Q is then a viscous stress, whose work over the step that led here is
+  /// 2 Δt/τ times its complementary energy; the identity of CellEnergies would be of first order.
+  bool stiff = false;
+  double stiff_work = 0.0;      ///< 2 Δt/τ of that step [-]
+  bool multiplicative = false;  ///< then the members above are not used, those below are
+  Moduli moduli;                ///< μ_b, K_b [Pa]
   BranchFlow flow;
   double growth_share = 0.0;  ///< what the branch's growth counts for in the cell's
 };
@@ -70,8 +74,8 @@ struct CellSummary {
                                            ///< of the undamped motion with the same stable step
   double relaxing_power = 0.0;             ///< ∫ Σ (Q/τ):E dV of branches by convolution [W]
   double viscous_power = 0.0;  ///< ∫ S:Ė dV of the viscous stress, Ė of the velocities given [W]
-  /// Lost by the flow of multiplicative branches in the half step before this instant, and the
-  /// half step behind it [J].
+  /// Lost by the flow of multiplicative branches in the half step up to this instant, and in the
+  /// half step after it; what stiff branches lose is in the former [J].
   double flow_before = 0.0, flow_after = 0.0;
 };
 

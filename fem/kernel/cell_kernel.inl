@@ -26,7 +26,7 @@ struct DrivenShares {
 
   DrivenShares(const CellArrays& cells, const BranchStep* branches) {
     for (int b = 0; b < cells.branches; ++b) {
-      if (branches[b].multiplicative) continue;
+      if (branches[b].multiplicative || branches[b].stiff) continue;
       deviatoric += branches[b].deviatoric_share;
       volumetric += branches[b].volumetric_share;
     }
@@ -38,7 +38,7 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
                                const BranchStep* branches, const double* displacement,
                                double* history, double* force, CellEnergies* energies) {
   [[maybe_unused]] const DrivenShares driven(cells, branches);
-  Real relaxing_power = {}, stored = {}, driving = {}, relaxed = {}, held = {};
+  Real relaxing_power = {}, flow_before = {}, stored = {}, driving = {}, relaxed = {}, held = {};
   const Real zero = {};
   const Real long_term_deviatoric = zero + cells.long_term_deviatoric;
   const Real long_term_volumetric = zero + cells.long_term_volumetric;
@@ -86,6 +86,7 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
       if constexpr (asked != Energies::none) {
         const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
         relaxing_power += point.weight * contract(of_point.relaxing, green);
+        flow_before += point.weight * of_point.flow_before;
         if constexpr (asked == Energies::all) {
           relaxed += point.weight * contract(of_point.relaxed, green);
           held += point.weight * of_point.held;
@@ -108,6 +109,7 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
       summary.largest_frequency_squared = largest_frequency[lane];
   }
   summary.relaxing_power = sum_of(relaxing_power);
+  summary.flow_before = sum_of(flow_before);
   if constexpr (asked == Energies::all)
     *energies = {.stored = sum_of(stored),
                  .softened = 0.0,

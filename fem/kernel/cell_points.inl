@@ -150,6 +150,11 @@ inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& devi
   };
   const Symmetric<Real> q{advance(0, drive.rr, total.rr), advance(1, drive.zz, total.zz),
                           advance(2, drive.tt, total.tt), advance(3, drive.rz, total.rz)};
+  if (branch.stiff) {  // of the branch, not of a point
+    if constexpr (asked != Energies::none)
+      energies.flow_before += branch.stiff_work * complementary_energy(branch, q);
+    return;
+  }
   if constexpr (asked != Energies::none) {
     energies.relaxing.rr += branch.inverse_time * q.rr;
     energies.relaxing.zz += branch.inverse_time * q.zz;

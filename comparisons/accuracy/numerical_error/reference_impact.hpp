@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,13 @@ struct FamilyMember {
   double wall_seconds = 0.0;
 };
 
+/// What the other way for branches to act would change, on the middle mesh. No error of cells or
+/// steps: two laws that agree at small strain, and data alone can choose between them.
+struct ModelForm {
+  Relaxation other = Relaxation::multiplicative;
+  std::vector<double> difference;  ///< other less this one, in the order of scalars_with_error()
+};
+
 /// An FE trace with its numerical error bar.
 ///
 /// `result` is that of the finest mesh; its trace has two columns more,
@@ -42,6 +50,9 @@ struct ReferenceImpact {
   FemResult result;
   std::vector<ScalarError> errors;  ///< in the order of scalars_with_error()
   std::vector<FamilyMember> family;
+  /// Empty: no branches, a scheme or a branch that has one form alone, or that form did not run
+  /// to the end.
+  std::optional<ModelForm> model_form;
   int contact_nodes = 0;  ///< of the coarsest mesh, within the largest contact radius
 };
 

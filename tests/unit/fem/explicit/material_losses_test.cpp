@@ -37,6 +37,7 @@ std::vector<Named> losing_materials() {
   layered.layers = {{.from = 0.5, .modulus_factor = 3.0}};
   return {{"elastic", test::unit_material()},
           {"convolution", with_branches({{0.3, 0.4, Relaxes::all}, {0.2, 0.1, Relaxes::deviator}})},
+          {"stiff", with_branches({{0.4, 1e-3, Relaxes::all}})},  // faster than a step
           {"viscous", viscous},
           {"mullins", mullins},
           {"relaxing_mullins", relaxing_mullins},
@@ -95,6 +96,10 @@ Cycles cycles(const Material& material, double strain, int steps) {
 TEST_P(MaterialLossesTest, BalanceCloses) {
   const Cycles coarse = cycles(GetParam().material, large, 400),
                fine = cycles(GetParam().material, large, 800);
+  if (std::string(GetParam().name) == "stiff") {  // moduli at rest for those at the strain
+    EXPECT_LT(fine.worst, 4.0 * large * fine.end.dissipated);
+    return;
+  }
   EXPECT_LT(fine.worst, 2e-3 * fine.largest_work);
   EXPECT_LT(fine.worst, 0.6 * coarse.worst);  // the viscous stress lags by half a step
 }
@@ -110,7 +115,8 @@ TEST_P(MaterialLossesTest, WhatIsLostStaysLost) {
     EXPECT_EQ(found.end.held, 0.0);
     return;
   }
-  EXPECT_GT(found.end.dissipated, 0.05 * found.largest_work);
+  const bool stiff = std::string(GetParam().name) == "stiff";
+  EXPECT_GT(found.end.dissipated, (stiff ? 0.003 : 0.05) * found.largest_work);
   // Second order in the step, where a step gains 1.2e-3 in the mean.
   EXPECT_GT(found.smallest_gain, -1e-4 * found.end.dissipated);
 }

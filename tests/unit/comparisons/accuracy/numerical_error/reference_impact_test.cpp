@@ -138,6 +138,20 @@ TEST(ReferenceImpactTest, IsNoReferenceWithFewNodesInContact) {
   EXPECT_NE(words_of_reference({contact_nodes_key}).find("nodes in contact"), std::string::npos);
 }
 
+TEST(ReferenceImpactTest, TheOtherFormOfTheBranchesStandsBesideTheBars) {
+  FemProblem problem = sliotar(15.0);
+  problem.material.branches = {{.ratio = 0.3, .relaxation_time = 0.3e-3}};
+  const Mesh coarse = generate_sphere_mesh({.radius = 0.0331, .cells = 120});
+  const ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, {});
+  ASSERT_TRUE(reference.model_form.has_value());
+  EXPECT_EQ(reference.model_form->other, Relaxation::multiplicative);
+  EXPECT_EQ(reference.family.size(), 9u);
+  // 0.7797 by convolution, 0.7917 by the multiplicative split on 1000 cells: far beyond the bar.
+  EXPECT_NEAR(reference.model_form->difference.front(), 0.012, 0.002);
+  EXPECT_GT(reference.model_form->difference.front(), 3.0 * reference.errors.front().uncertainty);
+  EXPECT_FALSE(at_15().model_form.has_value());
+}
+
 TEST(ReferenceImpactTest, CoversTheBar) {
   // Case d': ν = 0 bar of 50 mm on a wall at 0.1 m/s, exact: t = 2 L/c, e = 1.
   FemProblem bar;
@@ -155,6 +169,16 @@ TEST(ReferenceImpactTest, CoversTheBar) {
   EXPECT_NEAR(restitution.value, 1.0, restitution.uncertainty);
   EXPECT_LT(time.uncertainty / time.value, 0.01);
   EXPECT_LT(restitution.uncertainty, 0.01);
+}
+
+TEST(ReferenceImpactTest, BarsAreMadeOfMeshesStepAndScatter) {
+  for (const ScalarError& error : at_15().errors) {
+    EXPECT_GT(error.step, 0.0) << error.key;
+    EXPECT_GT(error.scatter, 0.0) << error.key;
+    EXPECT_DOUBLE_EQ(error.uncertainty,
+                     std::hypot(error.meshes.uncertainty, error.step, error.scatter))
+        << error.key;
+  }
 }
 
 TEST(ReferenceImpactTest, TheTraceCarriesItsBand) {
