@@ -36,7 +36,9 @@ std::vector<MeasuredImpact> read_shots(const Document& document, const Calibrati
                                        std::vector<std::string>& labels) {
   std::vector<MeasuredImpact> shots;
   for (const auto& reference : file.references)
-    for (auto& found : read_references(document.folder() / reference.folder)) {
+    for (auto& found : file.options.observable == Observable::scalars
+                           ? read_scalar_references(document.folder() / reference.folder)
+                           : read_references(document.folder() / reference.folder)) {
       labels.push_back(found.label);
       shots.push_back(std::move(found));
     }

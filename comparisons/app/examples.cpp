@@ -89,4 +89,14 @@ BenchmarkFile example_benchmark() {
   return file;
 }
 
+CompareFile example_comparison() {
+  CompareFile file;
+  file.cases = {{.name = "first",
+                 .lumped = "lumped.toml",
+                 .fem = "fem.toml",
+                 .speeds = {"5 m/s", "15 m/s"},
+                 .agreement = {}}};
+  return file;
+}
+
 }  // namespace rebound

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/accuracy/tier_comparison/compare_file.hpp"
 #include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
 #include "comparisons/evaluation/benchmark/benchmark_file.hpp"
 #include "comparisons/inference/calibration/calibration_file.hpp"
@@ -33,5 +34,8 @@ SynthesisFile example_synthesis();
 CalibrationFile example_calibration();
 SelectionFile example_selection();
 BenchmarkFile example_benchmark();
+
+/// The two example impacts against each other.
+CompareFile example_comparison();
 
 }  // namespace rebound

@@ -26,7 +26,8 @@ int report_error(const Error& error, bool as_json) {
   } else {
     std::string text = "rebound: ";
     if (!at.file.empty()) text += at.file;
-    if (at.line > 0) text += fmt::format(":{}:{}", at.line, at.column);
+    if (at.line > 0) text += fmt::format(":{}", at.line);
+    if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
     if (!at.file.empty()) text += ": ";
     if (!at.key.empty()) text += at.key;
     if (!at.key.empty() && !at.value.empty()) text += " = ";

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "comparisons/accuracy/tier_comparison/compare_file.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
 #include "comparisons/evaluation/atlas/atlas_text.hpp"
@@ -36,6 +37,7 @@ const std::vector<Format>& formats() {
       {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},
       {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
+      {"compare", [] { return json_schema<CompareFile>("Compare file"); }},
       {"synthesis", [] { return json_schema<SynthesisFile>("Synthesis file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},
       {"published-values",

@@ -29,7 +29,9 @@ ExitCode run_select(const Session& session, const std::string& path) {
   read_document(document, file);
   std::vector<MeasuredImpact> references;
   for (const auto& folder : file.references)
-    for (auto& found : read_references(document.folder() / folder.folder))
+    for (auto& found : file.options.observable == Observable::scalars
+                           ? read_scalar_references(document.folder() / folder.folder)
+                           : read_references(document.folder() / folder.folder))
       references.push_back(std::move(found));
   if (!session.out.empty()) make_writable_folder(session.out);
   const Selection selection = [&] {

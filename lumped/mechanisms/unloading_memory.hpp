@@ -8,11 +8,14 @@
 
 /// Elastic force below the largest deflection so far, x_max.
 ///
-///   F = F_e(η) [1 − h (1 − η/x_max)] · curve(u),   η = ⟨(x − p x_max)/(1 − p)⟩
+///   F = F_e(η) [1 − h (1 − η/x_max)] · ⟨1 + (x_max/x_q)^q g(u)⟩,   η = ⟨(x − p x_max)/(1 − p)⟩
 ///   u = 1 − √(1 − η/x_max)
 ///
 ///   p   permanent set: residual over largest deflection [-]
 ///   h   hysteresis: share of the force lost at η → 0    [-]
+///   g   curve, and how it grows with the largest deflection: q = 0 is the same loop at every
+///   speed,
+///       q > 0 the loop of a body that yields [-]
 ///
 /// Points that are even in u stand close where unloading begins, which is where measured loops turn
 /// fastest; in time u is smooth there, since x_max − x grows as t².
@@ -51,8 +54,12 @@ inline double unloading_share(double place) {
 inline double hysteresis_factor(const UnloadingMemory& memory, double remaining, double largest) {
   if (!memory.weakens() || largest <= 0.0) return 1.0;
   const double share = std::abs(remaining) / largest;
-  return (1.0 - memory.hysteresis * (1.0 - share)) *
-         curve_factor(memory.curve, unloading_place(share));
+  const double line = 1.0 - memory.hysteresis * (1.0 - share);
+  if (memory.curve.end == 0.0) return line;
+  const double growth = memory.curve_growth == 0.0
+                            ? 1.0
+                            : std::pow(largest / memory.growth_deflection, memory.curve_growth);
+  return line * std::max(0.0, 1.0 + growth * curve_value(memory.curve, unloading_place(share)));
 }
 
 }  // namespace rebound

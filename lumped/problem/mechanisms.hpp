@@ -43,12 +43,12 @@ struct ElasticFactors {
   friend bool operator==(const ElasticFactors&, const ElasticFactors&) = default;
 };
 
-/// Factors on F_d, and a linear dashpot beside it.
+/// Factors on F_d, and dampers beside it.
 struct DampingFactors {
   double exponent = 0.0;           ///< a in (x/x_r)^a [-]
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
-  FactorCurve deflection_curve{};  ///< over √(x/R)
+  FactorCurve added{};             ///< coefficient of a damper without a formula, over √(x/R)
   FactorCurve elastic_curve{};  ///< over x/R, as far as damping follows that of the elastic force
   FactorCurve rate_curve{};     ///< over |ẋ| [m/s]
 
@@ -76,9 +76,11 @@ struct RelaxationBranch {
 
 /// What the elastic force remembers of the largest deflection x_max.
 struct UnloadingMemory {
-  double hysteresis = 0.0;     ///< s in F_e [1 − s (1 − x/x_max)] [-]
-  double permanent_set = 0.0;  ///< residual over largest deflection [-]
-  FactorCurve curve{};         ///< over 1 − √(1 − η/x_max), of the force below x_max
+  double hysteresis = 0.0;         ///< s in F_e [1 − s (1 − x/x_max)] [-]
+  double permanent_set = 0.0;      ///< residual over largest deflection [-]
+  FactorCurve curve{};             ///< over 1 − √(1 − η/x_max), of the force below x_max
+  double curve_growth = 0.0;       ///< q: its values grow as (x_max/x_q)^q [-]
+  double growth_deflection = 1.0;  ///< x_q, where its values are as given [m]
 
   /// Does the elastic force fall below the law's own while unloading?
   bool weakens() const { return hysteresis != 0.0 || curve.end != 0.0; }
@@ -86,7 +88,9 @@ struct UnloadingMemory {
   static constexpr auto limits() {
     return std::tuple{
         Limit{&UnloadingMemory::hysteresis, "hysteresis", "", from_to(0.0, 1.0)},
-        Limit{&UnloadingMemory::permanent_set, "permanent_set", "", from_to(0.0, 0.9)}};
+        Limit{&UnloadingMemory::permanent_set, "permanent_set", "", from_to(0.0, 0.9)},
+        Limit{&UnloadingMemory::curve_growth, "curve_growth", "", from_to(-5.0, 5.0)},
+        Limit{&UnloadingMemory::growth_deflection, "growth_deflection", "m", above(0.0)}};
   }
   friend bool operator==(const UnloadingMemory&, const UnloadingMemory&) = default;
 };

@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "comparisons/inference/calibration/distributions.hpp"
@@ -17,6 +18,27 @@ double p_value_of(const HypothesisFit& fit, double noise_freedom) {
   return chi_squared_chance_above(fit.freedom, fit.data_chi_square);
 }
 
+bool has_curve(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.is_free_form;
+  });
+}
+
+double largest_z(const ResidualMap& map) {
+  double largest = 0.0;
+  for (const MapCell& cell : map.cells) largest = std::max(largest, std::abs(cell.z));
+  return largest;
+}
+
+bool leaves_as_little_as_a_curve(const AssessedFit& baseline, const AssessedFit& candidate) {
+  constexpr double share = 0.1;  // of the residuals
+  const double explained = baseline.fit.chi_square - candidate.fit.chi_square;
+  return candidate.best_remaining <=
+             std::max(candidate.remaining_threshold, share * share * explained) &&
+         largest_z(candidate.map) <=
+             std::max(candidate.map.threshold, share * largest_z(baseline.map));
+}
+
 }  // namespace
 
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
@@ -28,6 +50,15 @@ std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      [&](const EffectChoice& one) { return one.name == name; });
                });
   return others;
+}
+
+std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
+  std::vector<std::string> names;
+  for (const Effect& effect : all_effects())
+    if (!effect.card.is_free_form && !effect.card.told_by_readings &&
+        (effect.to_lumped || effect.to_measurement))
+      names.push_back(effect.card.name);
+  return absent_from(present, names);
 }
 
 AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
@@ -60,10 +91,14 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
 }
 
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
-                     const SelectionRules& rules, std::uint64_t seed, AssessedFit& candidate) {
+                     const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
+                     AssessedFit& candidate) {
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
   look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
+  if (!candidate.adequate && has_curve(candidate.fit))
+    candidate.adequate = candidate.p_value > rules.smallest_adequate_p &&
+                         leaves_as_little_as_a_curve(baseline, candidate);
 }
 
 }  // namespace rebound

@@ -41,6 +41,10 @@ struct AssessedFit {
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      const std::vector<std::string>& effects);
 
+/// What may be missing beside those that are present: everything in the list that has a name and a
+/// form for a lumped model or a measurement.
+std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present);
+
 /// A fit by its χ² alone: judged where that refuses it, and open otherwise.
 AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
                                 const SelectionRules& rules);
@@ -56,7 +60,12 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
                            std::uint64_t seed);
 
 /// One of many candidates that χ² leaves open.
+///
+/// Of a free form a tenth of the baseline's residuals may be left, which is a hundredth of the χ²
+/// that it explains: a smooth curve through six points is no closer to what it stands for. It never
+/// carries a name.
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
-                     const SelectionRules& rules, std::uint64_t seed, AssessedFit& candidate);
+                     const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
+                     AssessedFit& candidate);
 
 }  // namespace rebound

@@ -5,37 +5,34 @@
 namespace rebound {
 namespace {
 
-EffectFamily family_of(const EffectSet& candidate) {
+EffectFamily family_of(const FamilySet& candidate) {
   EffectFamily family = EffectFamily::none;
-  for (const std::string& name : candidate) {
-    const EffectFamily own = find_effect(name).card.family;
+  for (const EffectFamily own : candidate) {
     if (family != EffectFamily::none && own != family) return EffectFamily::none;
     family = own;
   }
   return family;
 }
 
-bool has_member(const EffectSet& candidate, EffectFamily family) {
-  return std::any_of(candidate.begin(), candidate.end(), [&](const std::string& name) {
-    return find_effect(name).card.family == family;
-  });
+bool has_member(const FamilySet& candidate, EffectFamily family) {
+  return std::find(candidate.begin(), candidate.end(), family) != candidate.end();
 }
 
 }  // namespace
 
-EffectFamily common_family(const std::vector<EffectSet>& candidates) {
+EffectFamily common_family(const std::vector<FamilySet>& candidates) {
   const EffectFamily first = family_of(candidates.front());
   const bool same = std::all_of(candidates.begin(), candidates.end(),
                                 [&](const auto& one) { return family_of(one) == first; });
   return same ? first : EffectFamily::none;
 }
 
-EffectFamily main_family(const std::vector<EffectSet>& candidates,
+EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained) {
   constexpr double most = 0.8;
   EffectFamily found = EffectFamily::none;
   for (const ExplainedShare& one : explained) {
-    const EffectFamily family = family_of(one.effects);
+    const EffectFamily family = family_of(one.families);
     if (family == EffectFamily::none || family == found || one.share < most) continue;
     if (!std::all_of(candidates.begin(), candidates.end(),
                      [&](const auto& candidate) { return has_member(candidate, family); }))

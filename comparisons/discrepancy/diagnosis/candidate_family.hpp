@@ -8,21 +8,22 @@
 /// What the missing force depends on, by the candidates of a diagnosis.
 namespace rebound {
 
-/// Names of the effects that a candidate adds to the believed model.
-using EffectSet = std::vector<std::string>;
+/// Families of the effects that a candidate adds to the believed model, as they act there.
+using FamilySet = std::vector<EffectFamily>;
 
 /// How much of the gap one of the fits explains.
 struct ExplainedShare {
-  EffectSet effects;
+  std::vector<std::string> effects;
+  FamilySet families;
   double share = 0.0;  ///< of the χ² that the best candidate removes
 };
 
 /// The family of all effects of all candidates; none where two differ.
-EffectFamily common_family(const std::vector<EffectSet>& candidates);
+EffectFamily common_family(const std::vector<FamilySet>& candidates);
 
 /// The family that every candidate has a member of and that explains by itself four fifths of what
 /// the best candidate does; none where two families do so.
-EffectFamily main_family(const std::vector<EffectSet>& candidates,
+EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained);
 
 /// The formulas of a family that come nearest to what is missing, best first, two at most: those

@@ -42,12 +42,11 @@ void withhold_names_from_contradictions(Diagnosis& d, const Observations& all) {
   if (!names_physics || d.contradictions.empty()) return;
   const std::vector<DataCheck> left = unexplained_contradictions(d, all);
   if (left.empty()) return;
-  withhold(
-      d, d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
-      fmt::format("the data contradict themselves in the {} of {}, by {:.1f} standard "
-                  "deviations, and {} does not say why",
-                  left.front().what, left.front().of, std::abs(left.front().deviations()),
-                  label_of(d.best().effects)));
+  withhold(d, without_name(d),
+           fmt::format("the data contradict themselves in the {} of {}, by {:.1f} standard "
+                       "deviations, and {} does not say why",
+                       left.front().what, left.front().of, std::abs(left.front().deviations()),
+                       label_of(d.best().effects)));
 }
 
 }  // namespace rebound

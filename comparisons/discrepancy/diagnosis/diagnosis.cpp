@@ -19,15 +19,6 @@
 namespace rebound {
 namespace {
 
-/// What may be missing: everything in the list that the model does not have.
-std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
-  std::vector<std::string> names;
-  for (const Effect& effect : all_effects())
-    if (!effect.card.is_free_form && (effect.to_lumped || effect.to_measurement))
-      names.push_back(effect.card.name);
-  return absent_from(present, names);
-}
-
 /// What the data lack for any verdict; empty when they are enough.
 std::vector<std::string> lacking(const Observations& seen, const Hypothesis& baseline) {
   std::vector<std::string> needed = seen.missing;
@@ -85,10 +76,12 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
   const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
   Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
   baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
-  // Data that FE comes no nearer to than the lumped model alone are not those of such a body.
-  constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
-  if (fit_hypothesis(*d.seen, baseline, control).chi_square >
-      d.selection.baseline.fit.chi_square - plainly_nearer)
+  // Data that FE comes no nearer to than the lumped model alone are not those of such a body: seen
+  // against the noise of the data alone, lest FE's own uncertainty covers what is missing.
+  constexpr double plainly_nearer = 25.0, of_the_excess = 0.5;
+  const HypothesisFit& lumped = d.selection.baseline.fit;
+  const double nearer = lumped.chi_square - fit_hypothesis(*d.seen, baseline, control).chi_square;
+  if (nearer < std::max(plainly_nearer, of_the_excess * (lumped.data_chi_square - lumped.freedom)))
     return;
   EffectSelection selection =
       select_effects(*seen, fit_hypothesis(*seen, baseline, control),
@@ -182,7 +175,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.gap.before = d.believed.fit.reduced_chi_square();
   if (d.extended()) d.gap.after = d.best().reduced_chi_square();
   if (d.held_out_speed) predict_held_out(d);
-  withhold_what_the_unseen_speed_denies(d);
+  withhold_what_the_unseen_speed_denies(d, request.rules);
   withhold_names_from_contradictions(d, all);
   if (!d.selection.indistinguishable.empty()) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);

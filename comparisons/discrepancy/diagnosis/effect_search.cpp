@@ -5,6 +5,7 @@
 
 #include "comparisons/discrepancy/diagnosis/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
+#include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -48,7 +49,7 @@ EffectNames names_of(const std::vector<EffectChoice>& effects) {
 bool EffectSearch::singles() {
   around_.look_for_starts();
   const Ranked ranked = best_of_each_kind(ranking(around_, base().chi_square));
-  const std::vector<std::string> forms = free_forms(base().effects);
+  const std::vector<std::string> forms = free_forms(base().effects, false);
   const auto starts_of = [&](std::size_t i) {
     if (i < ranked.size()) return around_.starts(ranked[i].first, starts_per_effect);
     const EffectCard& card = find_effect(forms[i - ranked.size()]).card;
@@ -72,7 +73,14 @@ bool EffectSearch::sets_of(std::size_t count) {
   if (std::ssize(all) > rules_.fitted_pairs)
     all.resize(static_cast<std::size_t>(rules_.fitted_pairs));
   const std::vector<AssessedFit> before = selection_.tried;
-  Fits fits = fit_all(all.size(), [&](std::size_t i) {
+  const std::vector<std::string> forms =
+      count == 2 ? free_forms(base().effects, true) : std::vector<std::string>{};
+  Fits fits = fit_all(all.size() + forms.size(), [&](std::size_t i) {
+    if (i >= all.size())
+      return fit_extended(
+          seen_, base(),
+          starts_of_free_form(find_effect(forms[i - all.size()]).card, seen_, base()),
+          SearchEffort::first_look, within());
     return fit_extended(seen_, before[all[i].from].fit, all[i].starts, SearchEffort::first_look,
                         within());
   });
@@ -192,10 +200,33 @@ bool EffectSearch::found(const Fits& fits) {
                    [](const AssessedFit& a, const AssessedFit& b) {
                      return a.fit.information_criterion < b.fit.information_criterion;
                    });
-  judge_candidates(selection_.tried, rules_.close_criterion,
-                   [&](AssessedFit& one) { judge_candidate(seen_, effects_, rules_, seed_, one); });
+  judge_candidates(selection_.tried, rules_.close_criterion, [&](AssessedFit& one) { judge(one); });
   selection_.indistinguishable = indistinguishable_models(selection_.tried, rules_.close_criterion);
+  keep_history_beside_slow_memory();
   return !selection_.indistinguishable.empty();
+}
+
+void EffectSearch::judge(AssessedFit& one) const {
+  judge_candidate(seen_, effects_, rules_, seed_, selection_.baseline, one);
+}
+
+void EffectSearch::keep_history_beside_slow_memory() {
+  auto& members = selection_.indistinguishable;
+  const std::size_t known = base().effects.size();
+  if (members.empty() || !std::all_of(members.begin(), members.end(), [&](std::size_t i) {
+        return is_slow_memory_alone(seen_, selection_.tried[i].fit, known);
+      }))
+    return;
+  for (std::size_t i = 0; i < selection_.tried.size(); ++i) {
+    AssessedFit& one = selection_.tried[i];
+    if (added(one.fit) != 1 ||
+        find_effect(one.fit.effects.back().name).card.family != EffectFamily::history)
+      continue;
+    if (!one.judged) judge(one);
+    if (!one.adequate) continue;
+    members.push_back(i);
+    return;
+  }
 }
 
 }  // namespace rebound

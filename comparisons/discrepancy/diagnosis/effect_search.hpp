@@ -71,6 +71,10 @@ class EffectSearch {
   /// Ends the searches that a first look has left within reach of the best.
   void finish(Fits& looked_at) const;
   bool found(const Fits& fits);
+  void judge(AssessedFit& one) const;
+  /// Where all that explains the data is a memory slower than the contact, the best adequate effect
+  /// of history stands beside it, whatever its criterion: one hit a speed does not tell them apart.
+  void keep_history_beside_slow_memory();
 
   const Observations& seen_;
   EffectSensitivities& around_;

@@ -81,10 +81,12 @@ void keep_shape(FactorBand& band, const std::vector<std::size_t>& unknowns,
 
 }  // namespace
 
-std::vector<std::string> free_forms(const std::vector<EffectChoice>& present) {
+std::vector<std::string> free_forms(const std::vector<EffectChoice>& present,
+                                    bool after_single_effects) {
   std::vector<std::string> names;
   for (const Effect& effect : all_effects())
-    if (effect.card.is_free_form) names.push_back(effect.card.name);
+    if (effect.card.is_free_form && effect.card.after_single_effects == after_single_effects)
+      names.push_back(effect.card.name);
   return absent_from(present, names);
 }
 

@@ -7,8 +7,10 @@
 
 namespace rebound {
 
-/// The effects that stand for a family of forms, where the model does not have them yet.
-std::vector<std::string> free_forms(const std::vector<EffectChoice>& present);
+/// The effects that stand for a family of forms, where the model does not have them yet: those that
+/// are tried beside single effects, or those that are tried after them.
+std::vector<std::string> free_forms(const std::vector<EffectChoice>& present,
+                                    bool after_single_effects);
 
 /// Where a search for a free form starts: from nothing, with the ranges of its curves those that
 /// the fitted model goes through in the data; from several times or places where it has such.

@@ -115,6 +115,12 @@ std::vector<ShotGap> gaps_of_shots(const HypothesisFit& fit) {
   return shot_by_shot(*fit.model, fit.residuals);
 }
 
+std::vector<std::string> added_effects(const HypothesisFit& fit, std::size_t known) {
+  std::vector<std::string> names;
+  for (std::size_t k = known; k < fit.effects.size(); ++k) names.push_back(fit.effects[k].name);
+  return names;
+}
+
 std::vector<double> values_from(const HypothesisFit& fit, const JointModel& model) {
   std::map<std::string, double> fitted;
   for (std::size_t i = 0; i < fit.values.size(); ++i)

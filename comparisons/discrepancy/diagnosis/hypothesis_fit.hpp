@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/joint_model.hpp"
@@ -30,6 +31,9 @@ struct HypothesisFit {
   std::size_t data_rows() const { return model->rows().size(); }
   double reduced_chi_square() const { return data_chi_square / freedom; }
 };
+
+/// Names of the effects that a fit has beyond the first `known`.
+std::vector<std::string> added_effects(const HypothesisFit& fit, std::size_t known);
 
 /// Values of a model's unknowns: as fitted for those of the same name, as the
 /// model starts for all others.

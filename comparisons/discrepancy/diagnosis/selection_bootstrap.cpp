@@ -97,8 +97,7 @@ SelectionBootstrap bootstrap_selection(const EffectSelection& selection, int dra
     if (shares[k] == 0.0) continue;
     SelectionFrequency& one = result.chosen.emplace_back();
     one.share = shares[k];
-    for (std::size_t e = selection.baseline.fit.effects.size(); e < fits[k]->effects.size(); ++e)
-      one.effects.push_back(fits[k]->effects[e].name);
+    one.effects = added_effects(*fits[k], selection.baseline.fit.effects.size());
   }
   std::stable_sort(result.chosen.begin(), result.chosen.end(),
                    [](const auto& a, const auto& b) { return a.share > b.share; });

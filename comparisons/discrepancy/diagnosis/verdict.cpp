@@ -8,17 +8,18 @@
 
 #include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
+#include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 
 namespace rebound {
 namespace {
 
-/// Effects that a fit has beyond those of the believed model.
-std::vector<std::string> added_effects(const Diagnosis& d, const HypothesisFit& fit) {
-  std::vector<std::string> names;
+/// Families of what a fit adds to the believed model, as they act in it.
+FamilySet added_families(const Diagnosis& d, const HypothesisFit& fit) {
+  FamilySet families;
   for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
-    names.push_back(fit.effects[k].name);
-  return names;
+    families.push_back(acting_family(*d.seen, fit, k));
+  return families;
 }
 
 /// What each fit of the search explains by itself, over what the best does.
@@ -28,7 +29,8 @@ std::vector<ExplainedShare> explained_shares(const Diagnosis& d, const Hypothesi
   if (!(explained > 0.0)) return {};  // the baseline itself fits best
   std::vector<ExplainedShare> shares;
   for (const AssessedFit& one : d.selection.tried)
-    shares.push_back({added_effects(d, one.fit), (before - one.fit.chi_square) / explained});
+    shares.push_back({added_effects(one.fit, d.believed_effects), added_families(d, one.fit),
+                      (before - one.fit.chi_square) / explained});
   return shares;
 }
 
@@ -41,10 +43,14 @@ std::vector<NamedEffect> additions(const Diagnosis& d, const HypothesisFit& fit)
 }
 
 /// Why a single candidate carries no name; empty where it does.
-std::string why_no_name(const std::vector<NamedEffect>& effects) {
+std::string why_no_name(const std::vector<NamedEffect>& effects, const FamilySet& acting) {
   for (const NamedEffect& one : effects)
     if (find_effect(one.effect.name).card.is_free_form)
       return "no formula of the list does as well as a free curve";
+  for (std::size_t k = 0; k < effects.size(); ++k)
+    if (acting[k] != find_effect(effects[k].effect.name).card.family)
+      return fmt::format("{} fades so fast that any damper may stand for it",
+                         effects[k].effect.name);
   for (const NamedEffect& one : effects)
     if (!one.weak.empty()) return fmt::format("{}: {}", one.effect.name, one.weak);
   return {};
@@ -55,10 +61,14 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   for (const std::size_t i : d.selection.indistinguishable)
     fits.push_back(&d.selection.tried[i].fit);
   if (fits.empty()) fits.push_back(&d.selection.baseline.fit);  // set right by its formula alone
-  for (const auto* fit : fits) d.candidates.push_back(added_effects(d, *fit));
-  d.family = common_family(d.candidates);
+  std::vector<FamilySet> families;
+  for (const auto* fit : fits) {
+    d.candidates.push_back(added_effects(*fit, d.believed_effects));
+    families.push_back(added_families(d, *fit));
+  }
+  d.family = common_family(families);
   if (d.family == EffectFamily::none)
-    d.family = main_family(d.candidates, explained_shares(d, *fits.front()));
+    d.family = main_family(families, explained_shares(d, *fits.front()));
   const auto in_all = [&](const std::string& name) {
     return std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
       return std::find(names.begin(), names.end(), name) != names.end();
@@ -70,7 +80,7 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   const std::vector<std::string>& first = d.candidates.front();
   if (std::any_of(first.begin(), first.end(), in_all)) {
     const std::vector<NamedEffect> effects = additions(d, *fits.front());
-    if (fits.size() == 1) d.withheld = why_no_name(effects);
+    if (fits.size() == 1) d.withheld = why_no_name(effects, families.front());
     if (d.withheld.empty())
       std::copy_if(effects.begin(), effects.end(), std::back_inserter(d.effects),
                    [&](const NamedEffect& one) { return in_all(one.effect.name); });
@@ -87,8 +97,7 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
   } else if (d.withheld.empty()) {
     d.verdict = DiagnosisVerdict::missing;
   } else {
-    d.verdict =
-        d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
+    d.verdict = without_name(d);
   }
   if (fits.size() > 1) d.next = next_experiments(*d.seen, fits, rules.close_criterion);
 }
@@ -110,7 +119,8 @@ void drop_sets_with_idle_members(Diagnosis& d) {
   auto& candidates = d.selection.indistinguishable;
   const auto idle = [&](std::size_t i) {
     const HypothesisFit& fit = d.selection.tried[i].fit;
-    return added_effects(d, fit).size() > 1 && !why_no_name(additions(d, fit)).empty();
+    return added_effects(fit, d.believed_effects).size() > 1 &&
+           !why_no_name(additions(d, fit), added_families(d, fit)).empty();
   };
   if (std::all_of(candidates.begin(), candidates.end(), idle)) return;
   std::erase_if(candidates, idle);
@@ -138,6 +148,18 @@ void withdraw_what_cannot_fail(Diagnosis& d, const SelectionRules& rules) {
   if (withdrawn.size() > 1) d.next = next_experiments(*d.seen, withdrawn, rules.close_criterion);
 }
 
+/// Nothing but the rounding of a recorder stands between model and data.
+void blame_the_recorder(Diagnosis& d) {
+  d.verdict = DiagnosisVerdict::measurement_fault;
+  d.family = EffectFamily::measurement;
+  d.candidates = {{"quantisation"}};
+  d.fault = fmt::format(
+      "quantisation: readings are rounded to steps of {:.3g} N, more than twice all other noise; "
+      "within that the model agrees",
+      d.seen->coarse_step);
+  d.excluded = d.selection.excluded;
+}
+
 void locate(Diagnosis& d) {
   const ResidualMap& map = d.believed.map;
   for (const MapCell& cell : map.cells)
@@ -160,10 +182,10 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
   } else if (d.extended()) {
     conclude_from_candidates(d, rules);
     if (d.verdict == DiagnosisVerdict::missing && speed_clusters(*d.seen).size() < 2)
-      withhold(
-          d,
-          d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family,
-          "all shots have one speed, so that nothing is seen to hold at another");
+      withhold(d, without_name(d),
+               "all shots have one speed, so that nothing is seen to hold at another");
+  } else if (d.seen->coarse_step > 0.0) {
+    blame_the_recorder(d);
   } else {
     d.verdict = DiagnosisVerdict::agrees;
     d.excluded = d.selection.excluded;

@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -35,12 +36,35 @@ void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
   d.excluded.clear();
 }
 
-/// What is left of a verdict that has lost its name.
-DiagnosisVerdict without_name(const Diagnosis& d) {
-  return d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
+/// A gap that noise could make, of which several effects each explain a little and none at the
+/// unseen speed: the believed model stands.
+bool is_no_gap_worth_having(const Diagnosis& d, const SelectionRules& rules, double noise) {
+  return d.verdict == DiagnosisVerdict::one_of && d.family == EffectFamily::none &&
+         d.believed.p_value > rules.smallest_adequate_p && *d.gap.held_out_before - 1.0 <= noise &&
+         *d.gap.held_out_after >= *d.gap.held_out_before;
+}
+
+void let_the_believed_model_stand(Diagnosis& d) {
+  d.withheld = fmt::format(
+      "{} of {} candidates explains a little that noise could do as well, and at the unseen speed "
+      "the gap goes from {:.3g} to {:.3g}",
+      fmt::join(d.candidates.front(), " + "), d.candidates.size(), *d.gap.held_out_before,
+      *d.gap.held_out_after);
+  d.verdict = DiagnosisVerdict::agrees;
+  d.candidates.clear();
+  d.effects.clear();
+  d.next.clear();
+  d.selection.indistinguishable.clear();
+  d.unseen_after.reset();
+  d.gap.after.reset();
+  d.gap.held_out_after.reset();
 }
 
 }  // namespace
+
+DiagnosisVerdict without_name(const Diagnosis& d) {
+  return d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
+}
 
 void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   d.verdict = weaker;
@@ -53,7 +77,7 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
     d.effects.push_back(named_effect(baseline, k));
 }
 
-void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
+void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& rules) {
   if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
     if (const auto odd = odd_one_of(d.unseen_before->of_shots))
       suspect_shot(d, d.unseen->shots[*odd]);
@@ -72,16 +96,19 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d) {
   if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
   constexpr double deviations = 3.0, worth_having = 0.5;
   const double noise = deviations * d.gap.held_out_noise;
+  if (is_no_gap_worth_having(d, rules, noise)) return let_the_believed_model_stand(d);
   const double excess = *d.gap.held_out_before - 1.0;
-  if (excess <= noise) {
+  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
+  if (excess > noise && removed >= worth_having * excess) return;
+  if (excess <= noise || *d.gap.held_out_after - 1.0 <= noise) {
     if (d.verdict == DiagnosisVerdict::missing)
-      withhold(d, without_name(d),
-               "the believed model predicts the unseen speed within the noise, so that nothing "
-               "is seen to improve there");
+      withhold(
+          d, without_name(d),
+          fmt::format("at the unseen speed the gap goes from {:.3g} to {:.3g}, so that nothing "
+                      "beyond the noise is seen to improve there",
+                      *d.gap.held_out_before, *d.gap.held_out_after));
     return;
   }
-  const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
-  if (removed >= worth_having * excess) return;
   withhold(d, DiagnosisVerdict::unexplained,
            fmt::format("{} explains what was fitted, but at the unseen speed the gap goes from "
                        "{:.3g} to {:.3g}",

@@ -7,17 +7,22 @@
 /// What takes a name back that a search had found.
 namespace rebound {
 
+/// What is left of a verdict that has lost its name: its family, where it has one.
+DiagnosisVerdict without_name(const Diagnosis& diagnosis);
+
 /// A weaker verdict, and why; the repair of a formula that contradicts its own restitution stays.
 void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& why);
 
 /// What the speed that was kept from every fit says of a verdict that names something, once it
 /// has been predicted before and after.
 ///
-///   χ² before not above the noise     the gap does not show there: the family, without a name
-///   less than half of it removed      the candidate does not predict: unexplained
+///   χ² before, or after, within the noise   the gap does not show there: the family, without a
+///   name neither, and less than half removed     the candidate does not predict: unexplained χ²
+///   before within the noise, not better  of a gap that noise could make, with rivals of several
+///   after                                   families: the believed model stands
 ///
 /// A prediction that is better is no proof of a name; one that is not better is proof against it.
-void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis);
+void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis, const SelectionRules& rules);
 
 /// An effect that repeated measurements would often not choose again carries no name.
 void withhold_what_repetition_denies(Diagnosis& diagnosis, const SelectionRules& rules);

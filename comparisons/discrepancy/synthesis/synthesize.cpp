@@ -35,6 +35,12 @@ struct Recording {
   Sphere true_sphere;
 };
 
+/// A reading with its noise, to the next step of the recorder.
+double as_recorded(double reading, const MeasurementChain& chain) {
+  const double step = chain.rounding_step;
+  return step > 0.0 ? step * std::round(reading / step) : reading;
+}
+
 /// The chain of one shot; faults of other shots are not in it.
 MeasurementChain chain_of(const SynthesisFile& file, std::size_t shot) {
   MeasurementChain chain;
@@ -64,7 +70,7 @@ Trace record(const Recording& recording, const SimulatedImpact& impact, Normal& 
   chain.trigger_shift += sampling.before;
   trace.force = reported_force(contact, chain, trace.time);
   const double noise = recording.file.instrument.force_noise.value_or(0.0);
-  for (double& force : trace.force) force += noise * normal();
+  for (double& force : trace.force) force = as_recorded(force + noise * normal(), chain);
   if (recording.file.instrument.deflection == DeflectionOrigin::independent) {
     trace.deflection = reported_deflection(impact.trace, chain, trace.time);
     const double scatter = recording.file.instrument.deflection_noise.value_or(0.0);

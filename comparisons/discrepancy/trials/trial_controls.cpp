@@ -9,13 +9,6 @@
 namespace rebound {
 namespace {
 
-std::vector<std::string> added_names(const Diagnosis& d, const HypothesisFit& fit) {
-  std::vector<std::string> names;
-  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
-    names.push_back(fit.effects[k].name);
-  return names;
-}
-
 std::string family_of_effect(const std::string& name) {
   return name_of(find_effect(name).card.family);
 }
@@ -24,7 +17,7 @@ std::string family_of_effect(const std::string& name) {
 /// first where none was tried alone.
 std::string leading_family(const Diagnosis& d, const std::vector<std::string>& set) {
   for (const AssessedFit& one : d.selection.tried) {  // best criterion first
-    const std::vector<std::string> alone = added_names(d, one.fit);
+    const std::vector<std::string> alone = added_effects(one.fit, d.believed_effects);
     if (alone.size() == 1 && std::find(set.begin(), set.end(), alone.front()) != set.end())
       return family_of_effect(alone.front());
   }
@@ -49,7 +42,7 @@ TrialAnswer lowest_information_criterion(const Diagnosis& d) {
   const HypothesisFit* best = &d.selection.baseline.fit;
   for (const AssessedFit& one : d.selection.tried)
     if (one.fit.information_criterion < best->information_criterion) best = &one.fit;
-  const std::vector<std::string> names = added_names(d, *best);
+  const std::vector<std::string> names = added_effects(*best, d.believed_effects);
   return answer_of_set(names, leading_family(d, names));
 }
 
@@ -67,12 +60,13 @@ TrialAnswer sparse_regression_answer(const Diagnosis& d) {
 
 TrialAnswer random_answer(const Diagnosis& d, std::uint64_t seed, const std::string& data) {
   std::map<EffectFamily, std::vector<std::string>> feasible;
-  for (const Effect& effect : all_effects())
-    if (!effect.card.is_free_form && (effect.to_lumped || effect.to_measurement))
-      feasible[effect.card.family].push_back(effect.card.name);
+  std::vector<EffectChoice> present;
   if (is_fitted(d))
-    for (std::size_t k = 0; k < d.believed_effects; ++k)
-      for (auto& [family, names] : feasible) std::erase(names, d.believed.fit.effects[k].name);
+    present.assign(
+        d.believed.fit.effects.begin(),
+        d.believed.fit.effects.begin() + static_cast<std::ptrdiff_t>(d.believed_effects));
+  for (const std::string& name : absent_effects(present))
+    feasible[find_effect(name).card.family].push_back(name);
   std::erase_if(feasible, [](const auto& one) {
     return one.first == EffectFamily::none || one.second.empty();
   });

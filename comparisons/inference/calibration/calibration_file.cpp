@@ -83,10 +83,11 @@ void describe_search(Visitor& visit, CalibrationControls& controls) {
 void describe(Visitor& visit, CalibrationFile& file) {
   describe_schema(visit);
   describe_law_request(visit, file.request);
-  visit.choice({.name = "observable",
-                .sentence = "The curve that is fitted.",
-                .presence = Presence::optional},
-               file.options.observable);
+  visit.choice(
+      {.name = "observable",
+       .sentence = "The curve that is fitted; or scalars: what data sets without records state.",
+       .presence = Presence::optional},
+      file.options.observable);
   visit.choice(
       {.name = "weighting",
        .sentence = "Where the force noise is unknown: every newton counts the same, or every "

@@ -6,6 +6,7 @@
 #include "comparisons/inference/calibration/force_time_residuals.hpp"
 #include "comparisons/inference/calibration/law_unknowns.hpp"
 #include "comparisons/inference/calibration/reference_checks.hpp"
+#include "comparisons/inference/calibration/scalar_residuals.hpp"
 #include "lumped/integration/sensitivities.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/laws/make_law.hpp"
@@ -187,14 +188,15 @@ LawCalibration calibrate_law(const std::string& law, const std::vector<MeasuredI
                              const ParameterValues& fixed,
                              const std::vector<std::string>& also_free,
                              const LawCalibrationOptions& options, const RunControl& control) {
-  check_shots(shots);
-  return calibrate_unknowns(
-      LawUnknowns(law, shots, {.fixed = fixed, .also_free = also_free, .per_speed = {}}), shots,
-      options, control);
+  return calibrate(
+      {.law = law, .damping_formula = {}, .fixed = fixed, .free = also_free, .per_speed = {}},
+      shots, options, control);
 }
 
 LawCalibration calibrate(const LawRequest& request, const std::vector<MeasuredImpact>& shots,
                          const LawCalibrationOptions& options, const RunControl& control) {
+  if (request.damping_formula.empty() && options.observable == Observable::scalars)
+    return calibrate_to_scalars(request, shots, options, control);
   if (request.damping_formula.empty()) {
     check_shots(shots);
     return calibrate_unknowns(

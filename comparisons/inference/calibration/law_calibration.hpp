@@ -28,14 +28,16 @@ constexpr auto names_of(Weighting) {
       {{"absolute", Weighting::absolute}, {"of-peak", Weighting::of_peak}});
 }
 
-/// Which curve of the reference is fitted.
+/// What of the reference is fitted.
 enum class Observable {
   force_deflection,  ///< needs no common clock; the reference's deflection is believed
   force_time,        ///< needs no deflection; the record's start may be a nuisance
+  scalars,           ///< stated restitutions, contact times and the like; no record is needed
 };
 constexpr auto names_of(Observable) {
-  return names_list<Observable>(
-      {{"force-deflection", Observable::force_deflection}, {"force-time", Observable::force_time}});
+  return names_list<Observable>({{"force-deflection", Observable::force_deflection},
+                                 {"force-time", Observable::force_time},
+                                 {"scalars", Observable::scalars}});
 }
 
 struct LawCalibrationOptions {

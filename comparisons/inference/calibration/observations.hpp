@@ -52,6 +52,8 @@ struct Observations {
   double deflection_gain_uncertainty = 0.0;  ///< of that of independent deflections [-]
   /// Independent samples that told the size or the colour of the noise; 0: it is known.
   double noise_freedom = 0.0;
+  /// Step of a recorder that is more than twice all other noise; 0: none is [N].
+  double coarse_step = 0.0;
   std::string noise_from;             ///< in words, e.g. "stated by the data set"
   std::vector<std::string> warnings;  ///< what was assumed where nothing was stated
   std::vector<std::string> missing;   ///< what would have been needed; empty: enough

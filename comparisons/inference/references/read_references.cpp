@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -97,6 +98,22 @@ std::vector<MeasuredImpact> read_references(const std::filesystem::path& folder)
               {.file = folder.string(),
                .key = "reference.folder",
                .allowed = "a data-set folder or a folder written by --out"});
+}
+
+std::vector<MeasuredImpact> read_scalar_references(const std::filesystem::path& folder) {
+  const Dataset dataset = read_dataset(folder);
+  std::vector<MeasuredImpact> references;
+  for (const MeasuredImpact& shot : dataset.shots) {
+    if (std::none_of(scalar_quantities.begin(), scalar_quantities.end(),
+                     [&](const ScalarQuantity& one) { return (shot.*one.measured).has_error(); }))
+      continue;
+    references.push_back(completed(dataset, shot));
+    references.back().label = fmt::format("{} {:.4g} m/s", dataset.name, shot.impact.speed);
+  }
+  if (references.empty())
+    throw Error(ExitCode::bad_input, "no shot of the data set states a scalar with its uncertainty",
+                {.file = (folder / "dataset.toml").string(), .key = "shot"});
+  return references;
 }
 
 }  // namespace rebound

@@ -18,4 +18,9 @@ namespace rebound {
 ///         files do not belong together.
 std::vector<MeasuredImpact> read_references(const std::filesystem::path& folder);
 
+/// Shots of a data set that state a scalar with its uncertainty, whether they have a trace or not.
+/// What a trace says is not among their scalars.
+/// Errors: Error(bad_input) for a folder that is no data set, or where no shot states one.
+std::vector<MeasuredImpact> read_scalar_references(const std::filesystem::path& folder);
+
 }  // namespace rebound

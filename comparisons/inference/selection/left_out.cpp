@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/inference/calibration/scalar_residuals.hpp"
 #include "comparisons/inference/references/law_score.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -37,6 +38,12 @@ LeftOut predicted(const Candidate& candidate, const std::vector<MeasuredImpact>&
   try {
     const LumpedModel model = calibrate(candidate.request, others, options, control).model;
     double square = 0.0;
+    if (options.observable == Observable::scalars) {
+      const auto residuals = ScalarResiduals(held)([&](std::size_t) { return model; });
+      for (const double residual : residuals) square += residual * residual;
+      out.force_rms = std::sqrt(square / static_cast<double>(residuals.size()));
+      return out;
+    }
     for (const MeasuredImpact& reference : held) {
       check_scorable(reference);
       const LawScore cell = score_law(model, reference);

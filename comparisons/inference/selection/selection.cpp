@@ -116,6 +116,7 @@ Selection select_law(const std::vector<Candidate>& candidates,
     throw Error(ExitCode::bad_input, "a selection needs two candidates or more");
   if (references.empty()) throw Error(ExitCode::bad_input, "a selection needs references");
   Selection selection;
+  selection.observable = options.observable;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     auto& score =
         selection.candidates.emplace_back(fitted(candidates[i], references, options, control));

@@ -16,9 +16,11 @@ struct Candidate {
 
 /// How a candidate did at a speed it was not fitted to.
 struct LeftOut {
-  double speed = 0.0;      ///< [m/s]
-  std::string failure;     ///< why there is no prediction; empty: there is
-  double force_rms = 0.0;  ///< of force over time, over the peak force; mean square over shots
+  double speed = 0.0;   ///< [m/s]
+  std::string failure;  ///< why there is no prediction; empty: there is
+  /// Of force over time, over the peak force, mean square over shots; of scalars in standard
+  /// deviations, where those were fitted.
+  double force_rms = 0.0;
   double restitution_error = 0.0;   ///< predicted − reference
   double contact_time_error = 0.0;  ///< predicted/reference − 1
 };
@@ -43,6 +45,7 @@ struct Selection {
   std::vector<std::size_t> best_by_prediction;  ///< not clearly worse than the best
   std::vector<std::size_t> chosen;  ///< one: a choice; several: they cannot be told apart
   std::string verdict;
+  Observable observable = Observable::force_deflection;  ///< what was fitted and predicted
 };
 
 /// Ranks laws by information criteria and by prediction of a left-out speed.

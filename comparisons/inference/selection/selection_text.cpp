@@ -17,7 +17,9 @@ Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json to_json(const LeftOut& out) {
+Json to_json(const LeftOut& out, Observable observable) {
+  if (out.failure.empty() && observable == Observable::scalars)
+    return {{"speed_m_s", out.speed}, {"failure", nullptr}, {"scalars_rms", out.force_rms}};
   if (!out.failure.empty()) return {{"speed_m_s", out.speed}, {"failure", out.failure}};
   return {{"speed_m_s", out.speed},
           {"failure", nullptr},
@@ -26,10 +28,10 @@ Json to_json(const LeftOut& out) {
           {"contact_time_error", out.contact_time_error}};
 }
 
-Json to_json(const CandidateScore& c) {
+Json to_json(const CandidateScore& c, Observable observable) {
   if (!c.failure.empty()) return {{"label", c.label}, {"failure", c.failure}};
   Json left_out = Json::array();
-  for (const auto& out : c.left_out) left_out.push_back(to_json(out));
+  for (const auto& out : c.left_out) left_out.push_back(to_json(out, observable));
   return {{"label", c.label},
           {"failure", nullptr},
           {"law", c.fitted.model.law},
@@ -46,8 +48,9 @@ Json to_json(const CandidateScore& c) {
 
 Json to_json(const Selection& selection) {
   Json candidates = Json::array();
-  for (const auto& c : selection.candidates) candidates.push_back(to_json(c));
+  for (const auto& c : selection.candidates) candidates.push_back(to_json(c, selection.observable));
   return {{"schema", 1},
+          {"observable", name_of(selection.observable)},
           {"candidates", candidates},
           {"effective_data", selection.effective_data},
           {"best_by_criterion", labels(selection, selection.best_by_criterion)},
@@ -58,19 +61,22 @@ Json to_json(const Selection& selection) {
 }
 
 std::string to_text(const Selection& selection) {
-  std::string text = fmt::format("{:<28}{:>4}{:>12}{:>12}{:>16}  left-out speeds (force rms)\n",
-                                 "law", "M", "BIC", "AICc", "prediction");
+  const bool scalars = selection.observable == Observable::scalars;
+  const double scale = scalars ? 1.0 : 100.0;
+  const char* unit = scalars ? "sigma" : "%";
+  std::string text = fmt::format("{:<28}{:>4}{:>12}{:>12}{:>16}  left-out speeds ({} rms)\n", "law",
+                                 "M", "BIC", "AICc", "prediction", scalars ? "scalars," : "force");
   for (const auto& c : selection.candidates) {
     if (!c.failure.empty()) {
       text += fmt::format("{:<28}none: {}\n", c.label, c.failure);
       continue;
     }
     text += fmt::format("{:<28}{:>4}{:>12.1f}{:>12.1f}", c.label, c.parameters, c.bic, c.aicc);
-    text += c.prediction_error ? fmt::format("{:>14.2f} %", 100.0 * *c.prediction_error)
+    text += c.prediction_error ? fmt::format("{:>10.2f} {:<5}", scale * *c.prediction_error, unit)
                                : fmt::format("{:>16}", "-");
     for (const auto& out : c.left_out)
       text += out.failure.empty()
-                  ? fmt::format("  {:g} m/s: {:.2f} %", out.speed, 100.0 * out.force_rms)
+                  ? fmt::format("  {:.4g} m/s: {:.2f} {}", out.speed, scale * out.force_rms, unit)
                   : fmt::format("  {:g} m/s: none", out.speed);
     text += "\n";
   }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "comparisons/io/dataset/measured_impact.hpp"
+#include "comparisons/io/dataset/trace_channels.hpp"
 
 namespace rebound {
 
@@ -20,6 +22,37 @@ struct Instrument {
   std::optional<double> deflection_gain_uncertainty;  ///< relative, one σ [-]
   /// Scalars, by their keys, that another instrument than the force record gave.
   std::vector<std::string> independent_scalars;
+};
+
+/// What the air does to heights and flight times.
+enum class AirDrag {
+  ignored,   ///< and its size is told among the notes
+  corrected  ///< by the closed forms of FreeFall
+};
+constexpr auto names_of(AirDrag) {
+  return names_list<AirDrag>({{"ignored", AirDrag::ignored}, {"corrected", AirDrag::corrected}});
+}
+struct AirStatement {
+  AirDrag drag = AirDrag::ignored;
+  std::optional<double> density;           ///< [kg/m³]
+  std::optional<double> drag_coefficient;  ///< [-]
+
+  /// With what is usual where nothing is stated.
+  Air air() const {
+    return {density.value_or(Air{}.density), drag_coefficient.value_or(Air{}.drag_coefficient)};
+  }
+};
+
+/// Shots in the rows of a table.
+struct ShotTable {
+  std::string file;
+  /// Headings by the key of a shot that the column holds, e.g. {"speed", "inbound_mph"}.
+  std::map<std::string, std::string> columns;
+  std::string only_column;  ///< rows with `only` in this column; empty: all rows
+  std::string only;
+  MeasuredImpact common;  ///< what is said of every row alike
+  std::optional<double> speed_relative_uncertainty;
+  std::optional<double> restitution_relative_uncertainty;
 };
 
 /// A slow compression of the whole ball, deflection against force.
@@ -61,6 +94,9 @@ struct Dataset {
   std::optional<double> mass_uncertainty;      ///< [kg]
   std::optional<double> diameter_uncertainty;  ///< [m]
   Instrument instrument;
+  TraceChannels channels;
+  AirStatement air;
+  std::vector<ShotTable> shot_tables;  ///< emptied once their rows stand among the shots
   std::vector<MeasuredImpact> shots;
   std::vector<Quasistatic> quasistatic;
   std::vector<BlockTest> block_tests;

@@ -7,19 +7,6 @@ namespace {
 
 constexpr Presence optional = Presence::optional;
 
-/// A scalar `name` and its standard deviation `name_uncertainty`.
-void describe_measured(Visitor& visit, const Key& key, Measured& measured) {
-  Key value = key;
-  value.presence = optional;
-  visit.number(value, measured.value);
-  visit.number({.name = key.name + "_uncertainty",
-                .sentence = "One standard deviation of " + key.name + ".",
-                .presence = optional,
-                .unit = key.unit,
-                .range = above(0.0)},
-               measured.uncertainty);
-}
-
 void describe_sphere(Visitor& visit, Dataset& dataset) {
   describe(visit, dataset.sphere);
   visit.number({.name = "mass_uncertainty",
@@ -89,50 +76,6 @@ void describe(Visitor& visit, Instrument& instrument) {
                            "repeat a record that stands beside them.",
                .presence = optional},
               instrument.independent_scalars);
-}
-
-void describe(Visitor& visit, MeasuredImpact& shot) {
-  visit.number({.name = "speed",
-                .sentence = "Approach speed at first touch.",
-                .unit = "m/s",
-                .range = above_up_to(0.0, 1000.0)},
-               shot.impact.speed);
-  visit.number({.name = "speed_uncertainty",
-                .sentence = "One standard deviation of the speed.",
-                .presence = optional,
-                .unit = "m/s",
-                .range = at_least(0.0)},
-               shot.speed_uncertainty);
-  visit.text({.name = "trace",
-              .sentence = "CSV file in this folder: time_s, force_N and, if known, deflection_m.",
-              .presence = optional},
-             shot.trace_file);
-  describe_measured(visit,
-                    {.name = "restitution",
-                     .sentence = "Rebound over approach speed.",
-                     .range = from_to(0.0, 1.0)},
-                    shot.restitution);
-  describe_measured(visit,
-                    {.name = "contact_time",
-                     .sentence = "By the instrument's contact_threshold, if it has one.",
-                     .unit = "ms",
-                     .range = above(0.0)},
-                    shot.contact_time);
-  describe_measured(
-      visit, {.name = "peak_force", .sentence = "Largest force.", .unit = "N", .range = above(0.0)},
-      shot.peak_force);
-  describe_measured(visit,
-                    {.name = "peak_deflection",
-                     .sentence = "Largest deflection of the centre of mass.",
-                     .unit = "mm",
-                     .range = above(0.0)},
-                    shot.peak_deflection);
-  describe_measured(visit,
-                    {.name = "mean_deflection",
-                     .sentence = "Time mean of that deflection over the contact.",
-                     .unit = "mm",
-                     .range = above(0.0)},
-                    shot.mean_deflection);
 }
 
 void describe(Visitor& visit, Quasistatic& quasistatic) {
@@ -205,6 +148,17 @@ void describe(Visitor& visit, Dataset& dataset) {
                .sentence = "The measuring chain; what is absent is unknown.",
                .presence = optional},
               dataset.instrument);
+  visit.table({.name = "channels",
+               .sentence = "Columns of the traces, where they are not time, force, deflection.",
+               .presence = optional},
+              dataset.channels);
+  visit.table(
+      {.name = "air", .sentence = "The air that dropped balls fall through.", .presence = optional},
+      dataset.air);
+  visit.list({.name = "shot_table",
+              .sentence = "Impacts in the rows of a table; repeat for more.",
+              .presence = optional},
+             dataset.shot_tables);
   visit.list({.name = "shot", .sentence = "One impact; repeat for more.", .presence = optional},
              dataset.shots);
   visit.list({.name = "quasistatic",

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "comparisons/io/dataset/dataset.hpp"
 #include "comparisons/io/toml/visitor.hpp"
 
@@ -7,9 +10,18 @@ namespace rebound {
 
 void describe(Visitor& visit, Instrument& instrument);
 void describe(Visitor& visit, MeasuredImpact& shot);
+void describe(Visitor& visit, TraceChannels& channels);
+void describe(Visitor& visit, AirStatement& air);
+void describe(Visitor& visit, ShotTable& table);
 void describe(Visitor& visit, Quasistatic& quasistatic);
 void describe(Visitor& visit, BlockTest& block);
 void describe(Visitor& visit, PooledPeak& peak);
+
+/// A scalar `name` and its standard deviation `name_uncertainty`, both optional.
+void describe_measured(Visitor& visit, const Key& key, Measured& measured);
+
+/// Keys of a shot that a column of a table may hold.
+std::vector<std::string> shot_column_keys();
 
 /// A whole dataset.toml.
 void describe(Visitor& visit, Dataset& dataset);

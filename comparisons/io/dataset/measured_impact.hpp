@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/io/dataset/shot_readings.hpp"
 #include "lumped/problem/impact.hpp"
 #include "lumped/problem/names.hpp"
 #include "lumped/problem/result.hpp"
@@ -68,6 +69,7 @@ struct MeasuredImpact {
   std::optional<double> force_bandwidth{};    ///< of the force channel, -3 dB [Hz]
 
   std::string trace_file{};  ///< as written; empty: none
+  std::string channel{};     ///< column of its force, where one file holds several shots
   /// Force over time; deflection where there is one; empty: no history.
   Trace trace{};
   DeflectionOrigin deflection = DeflectionOrigin::unknown;
@@ -79,6 +81,8 @@ struct MeasuredImpact {
   Measured peak_force{};       ///< [N]
   Measured peak_deflection{};  ///< [m]
   Measured mean_deflection{};  ///< time mean over the contact [m]
+
+  ShotReadings readings{};  ///< what speed and restitution were found from, where it was read
 
   ImpactScalars scalars{};             ///< of a trace under the shared definitions
   std::vector<std::string> assumed{};  ///< what nothing states and was assumed, in words

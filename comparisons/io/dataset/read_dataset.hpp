@@ -8,6 +8,11 @@ namespace rebound {
 
 /// Reads a data-set folder: its dataset.toml and the CSV files it names.
 ///
+/// Traces and tables are read as a laboratory writes them (laboratory_table.hpp): units in the
+/// headings, an acceleration times the mass as a force (trace_channels.hpp). Speed and restitution
+/// may stand as light gates, heights or flight times (shot_readings.hpp), one shot a row of a table
+/// (`[[shot_table]]`); what the air does is told among the notes.
+///
 /// Traces may not leave the folder: absolute paths, `..` and symbolic links
 /// to the outside are refused. Time must strictly increase; the deflection of
 /// a compression need not, since it may hold the way back. A shot without trace and scalars, a

@@ -13,10 +13,6 @@ namespace rebound {
 namespace {
 
 /// A TOML basic string. JSON escapes the same characters the same way.
-std::string toml_string(const std::string& text) {
-  return nlohmann::json(text).dump();
-}
-
 std::string number_text(const Key& key, double value) {
   if (!key.unit.empty()) return toml_string(format_quantity(value, key.unit));
   const std::string text = format_number(value);
@@ -24,6 +20,10 @@ std::string number_text(const Key& key, double value) {
 }
 
 }  // namespace
+
+std::string toml_string(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
 
 TomlWriter::TomlWriter(Comments comments, std::string path)
     : comments_(comments), path_(std::move(path)) {}

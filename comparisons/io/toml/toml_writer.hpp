@@ -39,6 +39,9 @@ class TomlWriter final : public Visitor {
   std::string tables_;
 };
 
+/// A text in quotes, whatever signs it holds.
+std::string toml_string(const std::string& text);
+
 template <class Record>
 std::string write_toml(Record record, Comments comments = Comments::none) {
   TomlWriter writer(comments);

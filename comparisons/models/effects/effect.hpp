@@ -126,12 +126,19 @@ struct EffectCard {
   /// Sizes from which a diagnosis looks, SI; empty: multiples of the prior scale. For effects
   /// that start all at once, so that derivatives at the null say nothing.
   std::vector<double> tried{};
+  /// Seen in the readings themselves: no fit looks for it.
+  bool told_by_readings = false;
+  /// Of a memory with one time: the parameter in which it fades. Far below a contact it is a
+  /// damper, far above it nothing fades.
+  std::string fades_in{};
   std::optional<OscillatorCard> oscillator{};  ///< of a mass that swings
   std::string signature;                       ///< where it shows
   std::string experiment;                      ///< what would tell it from its rivals
   std::string source;
   /// Stands for its family where no formula of the list does: never a candidate by its name.
   bool is_free_form = false;
+  /// A free form of so many numbers that it is tried only where no single effect is adequate.
+  bool after_single_effects = false;
   std::vector<CurveCard> curves{};  ///< of a free form
   /// The formula of its family that a free form without curves contains, as a plate on a frame
   /// contains a plate: a search starts there.

@@ -32,7 +32,8 @@ struct Burst {
 /// How what happened differs from what is reported. At the defaults, not at all.
 ///
 ///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered, late and drooping,
-///               g gain error, b baseline, d drift, u time since first touch, L clipping level
+///               g gain error, b baseline, d drift, u time since first touch, L clipping level;
+///               with its noise rounded to steps of the recorder
 ///   time        (1 + s) u + trigger shift,                  s error of the time base
 ///   deflection  x + ½ a t², where it is a double integral, a integration drift;
 ///               (1 + h) x + z, where it is measured, h gain error, z zero
@@ -58,6 +59,7 @@ struct MeasurementChain {
   Burst burst;
   double time_base = 0.0;                                           ///< s [-]
   double clipping_level = std::numeric_limits<double>::infinity();  ///< L [N]
+  double rounding_step = 0.0;  ///< of the recorder, which rounds the noise, too; 0: none [N]
   /// Which shot of the data it serves, from 1; 0: none. Faults of one shot act where it is theirs.
   int shot = 0;
 
@@ -71,7 +73,8 @@ struct MeasurementChain {
         Limit{&MeasurementChain::lag, "lag", "s", at_least(0.0)},
         Limit{&MeasurementChain::second_lag, "second_lag", "s", at_least(0.0)},
         Limit{&MeasurementChain::time_base, "time_base", "", above(-1.0)},
-        Limit{&MeasurementChain::clipping_level, "clipping_level", "N", above(0.0), none}};
+        Limit{&MeasurementChain::clipping_level, "clipping_level", "N", above(0.0), none},
+        Limit{&MeasurementChain::rounding_step, "rounding_step", "N", at_least(0.0)}};
   }
   friend bool operator==(const MeasurementChain&, const MeasurementChain&) = default;
 };

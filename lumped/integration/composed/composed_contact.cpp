@@ -43,6 +43,11 @@ ComposedContact::ComposedContact(const LumpedProblem& problem)
       radius_(problem.sphere.radius()),
       elastic_(law_, mechanisms_, {.radius = radius_, .speed = setup_.speed}),
       damping_varies_(mechanisms_.damping != DampingFactors{}),
+      added_damping_(std::visit(
+          [this](const auto& law) {
+            return added_damping_coefficient(law, mechanisms_.damping, radius_);
+          },
+          law_)),
       scales_(contact_scales(elastic_, setup_)),
       peak_force_(elastic_.elastic_force(scales_.deflection)),
       pull_off_(pull_off_force(mechanisms_.adhesion, radius_)),
@@ -114,8 +119,9 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
       [&](const auto& law) {
-        return damping_varies_ ? damping_force(law, mechanisms_.damping, radius_, x, rate)
-                               : law.damping_force(x, rate);
+        return damping_varies_
+                   ? damping_force(law, mechanisms_.damping, added_damping_, radius_, x, rate)
+                   : law.damping_force(x, rate);
       },
       law_);
   if (pull_off_ != 0.0) {

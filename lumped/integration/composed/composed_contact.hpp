@@ -147,7 +147,8 @@ class ComposedContact {
   ContactSetup setup_;
   double radius_;
   ElasticForce elastic_;
-  bool damping_varies_;  ///< is there a factor on the law's damping, or a dashpot beside it
+  bool damping_varies_;   ///< is there a factor on the law's damping, or a damper beside it
+  double added_damping_;  ///< C of a damper without a formula [N s/m]
   ContactScales scales_;
   double peak_force_;       ///< elastic force at the scale deflection [N]
   double pull_off_;         ///< P [N]

@@ -187,7 +187,7 @@ std::vector<DataCheck> check_data(const Observations& seen) {
   std::vector<DataCheck> checks;
   for (const auto& found :
        {impulse_checks(seen, shots), range_checks(seen, shots), deflection_checks(seen, shots),
-        scalar_checks(seen, shots), repeat_checks(seen, shots)})
+        scalar_checks(seen, shots), repeat_checks(shots)})
     checks.insert(checks.end(), found.begin(), found.end());
   return checks;
 }

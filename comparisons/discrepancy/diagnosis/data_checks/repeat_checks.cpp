@@ -97,7 +97,7 @@ DataCheck shot_check(const RepeatedNumber& repeated, const Group& group, std::si
 
 }  // namespace
 
-std::vector<DataCheck> repeat_checks(const Observations&, const std::vector<CheckedShot>& shots) {
+std::vector<DataCheck> repeat_checks(const std::vector<CheckedShot>& shots) {
   constexpr int fewest_for_a_slope = 6;
   const std::vector<Group> groups = groups_of(shots);
   std::vector<DataCheck> checks;

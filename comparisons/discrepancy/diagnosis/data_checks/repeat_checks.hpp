@@ -16,7 +16,6 @@ namespace rebound {
 /// Order: one slope in all groups together, where there are six repeats or more. One odd shot at an
 /// end makes a slope, too: the check that is further out says which it is. Shots at
 /// different speeds say nothing of order, for what follows the speed would follow it, too.
-std::vector<DataCheck> repeat_checks(const Observations& seen,
-                                     const std::vector<CheckedShot>& shots);
+std::vector<DataCheck> repeat_checks(const std::vector<CheckedShot>& shots);
 
 }  // namespace rebound

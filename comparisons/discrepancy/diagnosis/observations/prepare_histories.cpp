@@ -64,12 +64,22 @@ void average(MeasuredImpact& shot, std::size_t block) {
   shot.trace.deflection = means(fine.deflection);
 }
 
+/// How fine the readings of a record are.
+struct Recorder {
+  double step = 0.0;     ///< of rounding; 0: none is seen [N]
+  double scatter = 0.0;  ///< of readings in the quiet, or what is stated [N]
+
+  double rounding() const { return quantisation_noise(step); }
+  /// Up to twice the scatter errors of rounding are noise of their own, whatever else there is.
+  bool is_coarse() const { return step > 2.0 * scatter; }
+};
+
 /// A whole record, made coarse enough, and where its contact is.
 struct Record {
   std::size_t shot = 0;  ///< index among the observations
   Trace trace;
   SampleRange contact;
-  double rounding = 0.0;  ///< of one reading [N]
+  Recorder recorder;
 
   std::span<const double> quiet() const { return {trace.force.data(), contact.first}; }
 };
@@ -101,13 +111,31 @@ double coarse_interval(const Observations& seen, const std::vector<std::size_t>&
   return contacts / static_cast<double>(samples * shots.size());
 }
 
-Record prepare_record(std::size_t index, double interval, Observations& seen) {
+/// The scatter is that while nothing happens, or else what is stated; 0: neither is known.
+Recorder recorder_of(const MeasuredImpact& shot) {
+  const std::vector<double>& force = shot.trace.force;
+  const std::size_t quiet = window_of(force).first;
+  return {.step = quantisation_step(force),
+          .scatter = quiet < fewest_quiet
+                         ? shot.noise.deviation
+                         : estimate_noise({std::span(force.data(), quiet)}).deviation};
+}
+
+/// Samples of a contact that a coarse recorder tells: as many as it has steps on the way up and
+/// down, for errors within one step are alike.
+std::size_t samples_told(const MeasuredImpact& shot, const Recorder& recorder) {
+  constexpr double fewest_told = 30.0;
+  const double peak = *std::max_element(shot.trace.force.begin(), shot.trace.force.end());
+  return static_cast<std::size_t>(std::max(fewest_told, 2.0 * peak / recorder.step));
+}
+
+Record prepare_record(std::size_t index, double interval, const Recorder& recorder,
+                      Observations& seen) {
   MeasuredImpact& shot = seen.shots[index];
-  const double rounding = quantisation_noise(quantisation_step(shot.trace.force));
-  count_rounding(shot, rounding, seen);
+  count_rounding(shot, recorder.rounding(), seen);
   constexpr double rounded = 1e-6;  // two intervals of 10 us are 20 us
   average(shot, static_cast<std::size_t>(interval / interval_of(shot.trace) + rounded));
-  Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .rounding = rounding};
+  Record record{.shot = index, .trace = std::move(shot.trace), .contact = {}, .recorder = recorder};
   shot.trace = {};
   record.contact = window_of(record.trace.force);
   return record;
@@ -157,12 +185,13 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
       seen.noise_from = "scatter of the force before contact";
       if (wrong) seen.noise_from += ", which contradicts what is stated";
     } else if (enough) {
-      shot.noise.deviation = std::max(noise.deviation, record.rounding);
+      shot.noise.deviation = std::max(noise.deviation, record.recorder.rounding());
       seen.noise_from = "scatter of the force before contact";
       estimated = true;
     } else if (record.contact.first >= fewest_quiet) {
       // Without anything else, a recorder rounds to one level again and again.
-      shot.noise.deviation = std::max(estimate_noise({record.quiet()}).deviation, record.rounding);
+      shot.noise.deviation =
+          std::max(estimate_noise({record.quiet()}).deviation, record.recorder.rounding());
       seen.noise_from = "scatter of the force before contact";
       estimated = true;
     }
@@ -175,6 +204,17 @@ void settle_noise(const std::string& dataset, const std::vector<Record>& records
     seen.noise_from += fmt::format(
         "; neighbouring samples are alike (correlation {:.2g}), autoregressive of order {}",
         noise.autocorrelation.front(), noise.autocorrelation.size());
+}
+
+/// A recorder that rounds to one level again and again hides size and colour of all other noise.
+/// Its errors are bounded by half a step and alike within one, so that no mean makes them less.
+void settle_coarse_noise(const std::vector<Record>& records, Observations& seen) {
+  for (const Record& record : records) {
+    seen.shots[record.shot].noise.deviation =
+        std::hypot(record.recorder.scatter, 0.5 * record.recorder.step);
+    seen.coarse_step = std::max(seen.coarse_step, record.recorder.step);
+  }
+  seen.noise_from = "rounding of the recorder, whose steps are more than twice all other noise";
 }
 
 /// Mean of the force before contact, and how well it is known.
@@ -212,13 +252,25 @@ void prepare_histories(const Dataset& dataset, std::size_t first, Observations& 
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     if (seen.shots[i].has_history()) histories.push_back(i);
   if (histories.empty()) return;
-  const std::size_t samples =
+  std::size_t samples =
       std::clamp(most_samples_in_all / histories.size(), fewest_samples, most_samples);
+  std::vector<Recorder> recorders;
+  recorders.reserve(histories.size());
+  for (const std::size_t i : histories) {
+    const Recorder& one = recorders.emplace_back(recorder_of(seen.shots[i]));
+    if (one.is_coarse()) samples = std::min(samples, samples_told(seen.shots[i], one));
+  }
+  const bool coarse = std::any_of(recorders.begin(), recorders.end(),
+                                  [](const Recorder& one) { return one.is_coarse(); });
   const double interval = coarse_interval(seen, histories, samples);
   std::vector<Record> records;
   records.reserve(histories.size());
-  for (const std::size_t i : histories) records.push_back(prepare_record(i, interval, seen));
-  settle_noise(dataset.name, records, seen);
+  for (std::size_t k = 0; k < histories.size(); ++k)
+    records.push_back(prepare_record(histories[k], interval, recorders[k], seen));
+  if (coarse)
+    settle_coarse_noise(records, seen);
+  else
+    settle_noise(dataset.name, records, seen);
   std::vector<WholeRecord> whole;
   whole.reserve(records.size());
   for (const Record& record : records) whole.push_back({record.shot, &record.trace});

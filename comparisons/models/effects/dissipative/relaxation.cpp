@@ -20,6 +20,7 @@ Effect relaxation_effect() {
                                .range = limit_of<&RelaxationBranch::relaxation_time>.range,
                                .default_value = 1e-3,
                                .fitted = true}},
+               .fades_in = "relaxation_time",
                .signature = "Force ends at x > 0 and its centroid comes early; a dent that "
                             "recovers after the ball has left; stiffness grows with rate.",
                .experiment = "Hold and relax, or an independent deflection at separation; two "

@@ -1,4 +1,3 @@
-#include <array>
 #include <cmath>
 
 #include "comparisons/models/effects/free_form/curve_points.hpp"
@@ -11,11 +10,12 @@ Effect damping_curves_effect() {
       .kind = EffectKind::dissipative,
       .family = EffectFamily::rate,
       .sentence =
-          "Damping force times curves over deflection and rate: the rate family without a "
-          "formula.",
+          "A damper whose coefficient is a curve over deflection, and a curve over the rate on all "
+          "damping: the rate family without a formula.",
       .equation =
-          "F_d [1 + g(sqrt(x/R))] [1 + h(|v|)], both smooth through values at 0, 1/5 ... 1 of "
-          "their reach; the size is h at 2/5",
+          "[F_d + (F_r/v_r) d(sqrt(x/R)) v] [1 + h(|v|)], F_r = F_e at the reach, v_r = "
+          "rate_reach, "
+          "both curves smooth through values at 0, 1/5 ... 1 of their reach; the size is h at 2/5",
       .size_dimension = dimension::none,
       .range = curve_range(),
       .prior_scale = 0.3,
@@ -24,19 +24,19 @@ Effect damping_curves_effect() {
           "Odd in the rate: the force differs between loading and unloading at the same "
           "deflection, and not where the ball turns.",
       .experiment = "Further speeds; the rate at a deflection is what changes.",
-      .source = "piecewise cubic factors; restoring force surface, Masri & Caughey 1979",
+      .source = "piecewise cubic curves; restoring force surface, Masri & Caughey 1979",
       .is_free_form = true,
       .curves = {curve_card("deflection_over_radius", "deflection_reach", "deflection"),
                  curve_card("rate_m_s", "rate_reach", "rate", 2)}};
-  for (CurveCard::Point& point : card.curves.front().points) point.place *= point.place;
-  // At first touch a dashpot or √x ẋ is many times a law's x^1.5 ẋ, of a force that hardly counts.
-  constexpr std::array<double, 2> steep{5.0, 2.0};
-  for (std::size_t k = 0; k < steep.size(); ++k)
-    card.parameters[k].scale = card.parameters[k].prior_deviation = steep[k];
+  CurveCard& damper = card.curves.front();
+  damper.quantity = "added_damping_over_reference";
+  damper.level_is_the_laws = false;
+  for (CurveCard::Point& point : damper.points) point.place *= point.place;
+  for (EffectParameterCard& value : card.parameters) value.range = from_to(-5.0, 5.0);
   const std::vector<EffectParameterCard> rates = curve_points("rate", 6);
   for (const std::size_t k : {0, 1, 3, 4, 5}) card.parameters.push_back(rates[k]);
   card.parameters.push_back({.name = "deflection_reach",
-                             .sentence = "Deflection over radius at the last point of g.",
+                             .sentence = "Deflection over radius at the last point of d.",
                              .dimension = dimension::none,
                              .range = from_to(0.005, 1.0),
                              .default_value = 0.3,
@@ -50,7 +50,7 @@ Effect damping_curves_effect() {
   return {
       .card = std::move(card), .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
         DampingFactors& damping = problem.model.mechanisms.damping;
-        damping.deflection_curve =
+        damping.added =
             curve_of(choice, "deflection", 6, std::sqrt(choice.parameters.at("deflection_reach")));
         damping.rate_curve.end = choice.parameters.at("rate_reach");
         for (const std::size_t k : {0, 1, 3, 4, 5})

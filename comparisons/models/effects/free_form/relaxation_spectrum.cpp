@@ -37,6 +37,7 @@ Effect relaxation_spectrum_effect() {
                                    .range = limit_of<&RelaxationBranch::relaxation_time>.range,
                                    .default_value = 1e-3,
                                    .fitted = true}},
+                   .fades_in = "relaxation_time",
                    .signature = "Force ends early at x > 0; stiffness grows with rate over more "
                                 "than one decade.",
                    .experiment = "Hold and relax: the spectrum is the decay of the force.",

@@ -71,6 +71,51 @@ TEST(FactorCurveTest, ALineOfTheUnloadingLosesWhatItsIntegralSays) {
   EXPECT_LT(result.closures.energy, 1e-6);
 }
 
+// With q the loss of energy grows as x_max^q over what it is at x_q.
+TEST(FactorCurveTest, ALoopGrowsWithTheLargestDeflection) {
+  constexpr double h = 0.1, q = 1.5;
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.parameters["damping"] = 0.0;
+  UnloadingMemory& memory = problem.model.mechanisms.memory;
+  memory.curve = {.value = {-h, -0.8 * h, -0.6 * h, -0.4 * h, -0.2 * h, 0.0}, .end = 1.0};
+  memory.curve_growth = q;
+  memory.growth_deflection = 4e-3;
+  const LumpedResult result = simulate(problem);
+  const double grown = h * std::pow(result.scalars.peak_deflection / 4e-3, q);
+  ASSERT_GT(std::abs(grown / h - 1.0), 0.1);
+  ASSERT_LT(grown, 1.0);
+  EXPECT_NEAR(std::pow(result.scalars.restitution, 2), 1.0 - 5.0 * std::numbers::pi * grown / 32.0,
+              1e-5);
+  EXPECT_LT(result.closures.energy, 1e-6);
+}
+
+// Over √(x/R) a line is √x ẋ, and a constant a dashpot.
+TEST(FactorCurveTest, ALineOfDampingIsKuwabaraAndKono) {
+  const LumpedProblem expected = test::typical_problem("kuwabara-kono");
+  const double k = expected.model.parameters.at("stiffness");
+  const double a = expected.model.parameters.at("dissipation_time");
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.parameters = {{"stiffness", k}, {"damping", 0.0}};
+  DampingFactors& damping = problem.model.mechanisms.damping;
+  damping.rate_curve.end = 20.0;
+  damping.added.end = 1.0;  // √(x/R) = 1
+  const double radius = problem.sphere.radius();
+  const double unit = k * std::pow(radius, 1.5) / damping.rate_curve.end;
+  const double at_end = 1.5 * a * k * std::sqrt(radius) / unit;
+  for (std::size_t i = 0; i < FactorCurve::points; ++i)
+    damping.added.value[i] = 0.2 * static_cast<double>(i) * at_end;
+  const LumpedResult by_law = simulate(expected), by_curve = simulate(problem);
+  EXPECT_NEAR(by_curve.scalars.restitution, by_law.scalars.restitution, 1e-7);
+  EXPECT_NEAR(by_curve.scalars.peak_force / by_law.scalars.peak_force, 1.0, 1e-7);
+
+  problem.model.mechanisms.damping.added.value.fill(0.05);
+  LumpedProblem dashpot = problem;
+  dashpot.model.mechanisms.damping = {.dashpot = 0.05 * unit};
+  const LumpedResult constant = simulate(problem), linear = simulate(dashpot);
+  EXPECT_NEAR(constant.scalars.restitution, linear.scalars.restitution, 1e-7);
+  EXPECT_LT(constant.closures.energy, 1e-6);
+}
+
 // Three equal branches are one of three times the ratio.
 TEST(FactorCurveTest, BranchesOfOneTimeAdd) {
   LumpedProblem problem = test::typical_problem("hunt-crossley");

@@ -5,44 +5,47 @@
 namespace rebound {
 namespace {
 
-const std::vector<EffectSet> sticky{{"adhesion", "damping-exponent"},
-                                    {"pull-curves", "force-exponent"}};
+using enum EffectFamily;
+
+const std::vector<FamilySet> sticky{{surface, rate}, {surface, elastic}};
 
 TEST(CandidateFamilyTest, CommonOnlyWhereAllEffectsAreOfIt) {
-  EXPECT_EQ(common_family({{"force-exponent"}, {"elastic-curve"}}), EffectFamily::elastic);
-  EXPECT_EQ(common_family({{"force-exponent"}, {"relaxation"}}), EffectFamily::none);
-  EXPECT_EQ(common_family(sticky), EffectFamily::none);
+  EXPECT_EQ(common_family({{elastic}, {elastic}}), elastic);
+  EXPECT_EQ(common_family({{elastic}, {memory}}), none);
+  EXPECT_EQ(common_family(sticky), none);
 }
 
 TEST(CandidateFamilyTest, MainWhereOneExplainsFourFifthsByItself) {
-  EXPECT_EQ(main_family(sticky, {{{"adhesion"}, 0.85}, {{"damping-exponent"}, 0.6}}),
-            EffectFamily::surface);
-  EXPECT_EQ(main_family(sticky, {{{"adhesion"}, 0.75}}), EffectFamily::none);
+  EXPECT_EQ(
+      main_family(sticky, {{{"adhesion"}, {surface}, 0.85}, {{"damping-exponent"}, {rate}, 0.6}}),
+      surface);
+  EXPECT_EQ(main_family(sticky, {{{"adhesion"}, {surface}, 0.75}}), none);
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyThatACandidateDoesWithout) {
-  const ExplainedShare elastic{{"force-exponent"}, 0.95};
-  EXPECT_EQ(main_family(sticky, {elastic}), EffectFamily::none);
-  EXPECT_EQ(main_family({{"force-exponent", "hum"}}, {elastic}), EffectFamily::elastic);
+  const ExplainedShare most{{"force-exponent"}, {elastic}, 0.95};
+  EXPECT_EQ(main_family(sticky, {most}), none);
+  EXPECT_EQ(main_family({{elastic, measurement}}, {most}), elastic);
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
-  const std::vector<EffectSet> both{{"adhesion", "force-exponent"}};
-  EXPECT_EQ(main_family(both, {{{"adhesion"}, 0.9}, {{"force-exponent"}, 0.85}}),
-            EffectFamily::none);
+  const std::vector<FamilySet> both{{surface, elastic}};
+  EXPECT_EQ(
+      main_family(both, {{{"adhesion"}, {surface}, 0.9}, {{"force-exponent"}, {elastic}, 0.85}}),
+      none);
 }
 
 TEST(CandidateFamilyTest, NearestFormulasAreThoseThatExplainHalfAloneAndNoFreeForm) {
   const auto nearest =
-      nearest_formulas(EffectFamily::history, {{{"hysteresis"}, 0.7},
-                                               {{"permanent-set"}, 0.9},
-                                               {{"unloading-curve"}, 1.0},
-                                               {{"permanent-set", "hysteresis"}, 1.0},
-                                               {{"damping-exponent"}, 0.95}});
+      nearest_formulas(history, {{{"hysteresis"}, {history}, 0.7},
+                                 {{"permanent-set"}, {history}, 0.9},
+                                 {{"unloading-curve"}, {history}, 1.0},
+                                 {{"permanent-set", "hysteresis"}, {history, history}, 1.0},
+                                 {{"damping-exponent"}, {rate}, 0.95}});
   ASSERT_EQ(nearest.size(), 2u);
-  EXPECT_EQ(nearest[0].effects, EffectSet{"permanent-set"});
-  EXPECT_EQ(nearest[1].effects, EffectSet{"hysteresis"});
-  EXPECT_TRUE(nearest_formulas(EffectFamily::history, {{{"hysteresis"}, 0.4}}).empty());
+  EXPECT_EQ(nearest[0].effects, std::vector<std::string>{"permanent-set"});
+  EXPECT_EQ(nearest[1].effects, std::vector<std::string>{"hysteresis"});
+  EXPECT_TRUE(nearest_formulas(history, {{{"hysteresis"}, {history}, 0.4}}).empty());
 }
 
 }  // namespace

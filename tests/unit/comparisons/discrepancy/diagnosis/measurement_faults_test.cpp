@@ -85,14 +85,18 @@ TEST(MeasurementFaultTest, TheShotIsNamed) {
 }
 
 // Among repeats: with one shot a speed it is as well a stiffness that follows the speed.
+SynthesisFile three_times_each_speed(const EffectChoice& hidden, int seed) {
+  SynthesisFile file = experiment_with({hidden}, seed);
+  const auto once = file.shots;
+  for (int repeat = 0; repeat < 2; ++repeat)
+    file.shots.insert(file.shots.end(), once.begin(), once.end());
+  return file;
+}
+
 TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
   const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 4.0}, {"time_exponent", -1.0}}};
   for (int seed = 1; seed <= seeds; ++seed) {
-    SynthesisFile file = experiment_with({hidden}, seed);
-    const auto once = file.shots;
-    for (int repeat = 0; repeat < 2; ++repeat)
-      file.shots.insert(file.shots.end(), once.begin(), once.end());
-    const Diagnosis d = diagnose_hidden(file);
+    const Diagnosis d = diagnose_hidden(three_times_each_speed(hidden, seed));
     EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
     EXPECT_TRUE(names(d, hidden.name)) << d.fault;
   }
@@ -102,11 +106,7 @@ TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
 TEST(MeasurementFaultTest, AnOddShotAtTheUnseenSpeedIsRecognised) {
   const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 5.0}, {"time_exponent", -1.0}}};
   for (int seed = 1; seed <= seeds; ++seed) {
-    SynthesisFile file = experiment_with({hidden}, seed);
-    const auto once = file.shots;
-    for (int repeat = 0; repeat < 2; ++repeat)
-      file.shots.insert(file.shots.end(), once.begin(), once.end());
-    const Diagnosis d = diagnose_hidden(file);
+    const Diagnosis d = diagnose_hidden(three_times_each_speed(hidden, seed));
     EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
     EXPECT_NE(d.fault.find("odd-shot (shot 5"), std::string::npos) << d.fault;
   }
@@ -126,6 +126,20 @@ TEST(MeasurementFaultTest, ABandwidthBeyondTheRecordIsNoMatter) {
   SynthesisFile file = experiment_with({}, 1);
   file.instrument.force_bandwidth = 1e6;
   EXPECT_EQ(diagnose_hidden(file).verdict, DiagnosisVerdict::agrees);
+}
+
+// Rounding by more than the noise is told by the readings; within it the model agrees.
+TEST(MeasurementFaultTest, ACoarseRecorderIsRecognised) {
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Diagnosis d = diagnose_hidden(experiment_with({{"quantisation", 200.0, {}}}, seed));
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+    EXPECT_NE(d.fault.find("quantisation"), std::string::npos) << d.fault;
+  }
+}
+
+TEST(MeasurementFaultTest, AFineRecorderIsNone) {
+  const Diagnosis d = diagnose_hidden(experiment_with({{"quantisation", 20.0, {}}}, 1));
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::agrees);
 }
 
 }  // namespace

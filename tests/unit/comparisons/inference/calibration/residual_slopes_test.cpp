@@ -5,11 +5,13 @@
 
 #include <cmath>
 
+#include "comparisons/inference/calibration/differences.hpp"
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/inference/calibration/force_deflection_residuals.hpp"
 #include "comparisons/inference/calibration/force_time_residuals.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
 #include "lumped/integration/simulate.hpp"
+#include "lumped/problem/error.hpp"
 #include "tests/support/lumped_cases.hpp"
 
 namespace rebound {
@@ -168,6 +170,22 @@ TEST(ResidualSlopesTest, LossesAndPriors) {
     problem.controls.loss = loss;
     expect_slopes(with_loss(with_priors(problem), 4, 1.3), {1.1, 0.7});
   }
+}
+
+// r = x², which has no value above 1: at 1 the slope is that of the other side.
+TEST(ResidualSlopesTest, ASideWithoutAnImpactIsLeftOut) {
+  const auto square = [](const std::vector<double>& x) {
+    if (x[0] > 1.0) throw Error(ExitCode::solver_failed, "does not end");
+    return std::vector<double>{x[0] * x[0]};
+  };
+  std::vector<CalibrationParameter> unknown(1);
+  unknown[0].scale = 1.0;
+  unknown[0].lowest = -10.0;
+  unknown[0].highest = 10.0;
+  EXPECT_NEAR(with_differences(unknown, square, {1.0}, 1e-4).slopes[0], 2.0, 2e-4);
+  EXPECT_NEAR(with_differences(unknown, square, {0.5}, 1e-4).slopes[0], 1.0, 1e-9);
+  unknown[0].lowest = 1.0;
+  EXPECT_THROW(with_differences(unknown, square, {1.0}, 1e-4), Error);
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ TEST(EffectRecordsTest, OfTheChain) {
        {{"contact-time-threshold", 9.0, {}}, [](Chain& c) { c.contact_threshold = 9.0; }},
        {{"bandwidth", 4e3, {}}, [](Chain& c) { c.bandwidth = 4e3; }},
        {{"clipping", 4e3, {}}, [](Chain& c) { c.clipping_level = 4e3; }},
+       {{"quantisation", 20.0, {}}, [](Chain& c) { c.rounding_step = 20.0; }},
        {{"droop", 30.0, {}}, [](Chain& c) { c.droop = 30.0; }},
        {{"sensor-lag", 4e-5, {{"second_share", 0.25}}},
         [](Chain& c) {

@@ -1,0 +1,110 @@
+#include "comparisons/io/dataset/guess_trace.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "comparisons/io/dataset/contact_window.hpp"
+
+namespace rebound {
+namespace {
+
+bool starts_like(const std::string& name, const std::vector<std::string>& starts) {
+  std::string text;
+  for (const char sign : name)
+    text += static_cast<char>(std::tolower(static_cast<unsigned char>(sign)));
+  return std::any_of(starts.begin(), starts.end(), [&](const std::string& start) {
+    return start.size() == 1 ? text == start : text.starts_with(start);
+  });
+}
+
+std::optional<ChannelGuess> guess_channel(const TablePreview& preview, std::size_t i) {
+  if (!preview.is_number[i]) return std::nullopt;
+  const ColumnHeading& heading = preview.headings[i];
+  const bool named_acceleration = starts_like(heading.name, {"acc", "a", "decel", "a1", "a2"});
+  if (!heading.unit.empty()) {
+    const auto unit = find_unit(
+        heading.unit, named_acceleration ? std::optional(dimension::acceleration) : std::nullopt);
+    if (!unit) return std::nullopt;
+    return ChannelGuess{i, unit->dimension, false};
+  }
+  if (starts_like(heading.name, {"time", "t", "zeit"}))
+    return ChannelGuess{i, dimension::time, true};
+  if (starts_like(heading.name, {"force", "f", "kraft", "load"}))
+    return ChannelGuess{i, dimension::force, true};
+  if (named_acceleration) return ChannelGuess{i, dimension::acceleration, true};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TraceGuess> guess_trace(const TablePreview& preview) {
+  constexpr std::size_t fewest_rows = 20;
+  if (preview.rows < fewest_rows) return std::nullopt;
+  TraceGuess guess;
+  bool has_time = false;
+  for (std::size_t i = 0; i < preview.headings.size(); ++i) {
+    const auto channel = guess_channel(preview, i);
+    if (!channel) continue;
+    if (same_dimension(channel->dimension, dimension::time)) {
+      if (!has_time) guess.time = *channel;
+      has_time = true;
+    } else if (same_dimension(channel->dimension, dimension::force) ||
+               same_dimension(channel->dimension, dimension::acceleration)) {
+      guess.forces.push_back(*channel);
+    } else if (same_dimension(channel->dimension, dimension::length) && !guess.deflection) {
+      guess.deflection = channel;
+    }
+  }
+  if (!has_time || guess.forces.empty()) return std::nullopt;
+  // One kind only: a force where there is one.
+  const bool any_force = std::any_of(guess.forces.begin(), guess.forces.end(), [](const auto& one) {
+    return same_dimension(one.dimension, dimension::force);
+  });
+  if (any_force)
+    std::erase_if(guess.forces, [](const ChannelGuess& one) {
+      return !same_dimension(one.dimension, dimension::force);
+    });
+  return guess;
+}
+
+const char* usual_unit(const Dimension& dimension) {
+  if (same_dimension(dimension, dimension::time)) return "s";
+  if (same_dimension(dimension, dimension::force)) return "N";
+  return same_dimension(dimension, dimension::length) ? "m" : "m/s^2";
+}
+
+RecordGuess look_at_record(const std::filesystem::path& file, const TablePreview& preview,
+                           const TraceGuess& trace) {
+  const auto wanted = [&](const ChannelGuess& channel) {
+    const ColumnHeading& heading = preview.headings[channel.column];
+    return WantedColumn{.heading = heading.text,
+                        .accepted = {channel.dimension},
+                        .unit = channel.unit_guessed ? usual_unit(channel.dimension) : ""};
+  };
+  WantedColumn time = wanted(trace.time);
+  time.increases = true;
+  LaboratoryTable table = read_laboratory_table(file, {time, wanted(trace.forces.front())});
+  std::vector<double>& force = table.columns[1].numbers;
+  RecordGuess guess;
+  const std::size_t tenth = std::max<std::size_t>(force.size() / 10, 2);
+  const auto quiet_end = force.begin() + static_cast<std::ptrdiff_t>(tenth);
+  const auto count = static_cast<double>(tenth);
+  const double mean = std::accumulate(force.begin(), quiet_end, 0.0) / count;
+  double variance = 0.0;
+  for (auto it = force.begin(); it != quiet_end; ++it)
+    variance += (*it - mean) * (*it - mean) / (count - 1.0);
+  const auto [lowest, highest] = std::minmax_element(force.begin(), force.end());
+  guess.reversed = mean - *lowest > *highest - mean;
+  guess.offset = std::abs(mean) > 3.0 * std::sqrt(variance / count) && mean != 0.0;
+  for (double& value : force) value = guess.reversed ? mean - value : value - mean;
+  const double peak = *std::max_element(force.begin(), force.end());
+  if (peak > 0.0)
+    guess.long_record =
+        20 * contact_window(force, clearly_in_contact * peak).count() < force.size();
+  return guess;
+}
+
+}  // namespace rebound
