@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
@@ -13,6 +15,8 @@
 #include "comparisons/io/toml/reader.hpp"
 #include "comparisons/models/fem_access/fem_runner.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
+#include "fem/interface/check_problem.hpp"
+#include "fem/interface/engineering_moduli.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
@@ -30,10 +34,19 @@ std::string atlas_help() {
          exit_code_help();
 }
 
+/// One mesh for all of the grid, for the smallest of its contacts.
 FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
-  FemProblem any = atlas_problem(grid, materials_of(grid).front(), grid.speeds.front());
-  any.cells = grid.cells;
-  return fem_runner(mesh_for(any, control), any.sphere, control);
+  FemProblem smallest;
+  double radius = std::numeric_limits<double>::infinity();
+  for (const AtlasMaterial& material : materials_of(grid)) {
+    const FemProblem problem =
+        atlas_problem(grid, material, *std::min_element(grid.speeds.begin(), grid.speeds.end()));
+    const double found =
+        fem::expected_contact_radius(problem, fem::instantaneous_moduli(problem.material));
+    if (found < radius) smallest = problem;
+    radius = std::min(radius, found);
+  }
+  return fem_runner(mesh_for(smallest, control), smallest.sphere, control);
 }
 
 ExitCode run_atlas(const Session& session, const std::string& path) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/evaluation/audit/audit_text.hpp"
 #include "comparisons/io/toml/impact_file.hpp"
@@ -18,7 +20,9 @@ ExitCode run_audit_option(const Session& session, const std::string& path,
   if (!session.out.empty()) make_writable_folder(session.out);
   ProgressLine progress("audit");
   const RunControl control = progress.control();
-  const Mesh mesh = mesh_for(request.problem, control);
+  FemProblem slowest = request.problem;
+  if (!speeds.empty()) slowest.impact.speed = *std::min_element(speeds.begin(), speeds.end());
+  const Mesh mesh = mesh_for(slowest, control);
   const FemRunner run = fem_runner(mesh, request.problem.sphere, control);
   const Audit audit = run_audit(request, run, control);
   Json json = to_json(audit);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparisons/app/calibration_output.hpp"
@@ -57,7 +58,12 @@ Fit fit(const MaterialCalibrationFile& file, const FemProblem& start,
   for (const auto& key : file.free) free.push_back(find_material_number(numbers, key));
   ProgressLine progress("calibration");
   const RunControl control = progress.control();
-  const Mesh mesh = mesh_for(start, control);
+  FemProblem slowest = start;
+  slowest.impact =
+      std::min_element(measured.begin(), measured.end(), [](const auto& a, const auto& b) {
+        return a.impact.speed < b.impact.speed;
+      })->impact;
+  const Mesh mesh = mesh_for(slowest, control);
   return {calibrate_material(start, measured, free, fem_runner(mesh, start.sphere, control),
                              control, file.controls),
           mesh.cells.size()};

@@ -7,6 +7,7 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/evaluation/drop_test/fem_drop.hpp"
+#include "comparisons/evaluation/drop_test/regulation.hpp"
 #include "comparisons/evaluation/drop_test/stored_calibration.hpp"
 #include "comparisons/io/toml/impact_file.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -41,7 +42,9 @@ DropOutcome fem_drop(const FemProblem& problem,
                      const DropOptions& options) {
   ProgressLine progress("FE impacts");
   const RunControl control = progress.control();
-  const Mesh mesh = mesh_for(problem, control);
+  FemProblem dropped = problem;
+  dropped.impact.speed = drop_speed(options.height);
+  const Mesh mesh = mesh_for(dropped, control);
   DropOutcome outcome =
       drop_test(problem, uncertainty, fem_runner(mesh, problem.sphere, control), options);
   outcome.cells = static_cast<int>(mesh.cells.size());

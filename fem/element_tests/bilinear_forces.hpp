@@ -36,6 +36,18 @@ class BilinearForces {
     prony_.advance(step_);
     return force_;
   }
+  /// The same, and where the energy is.
+  CellEnergies advance(const std::vector<double>& displacement, const double* velocity = nullptr) {
+    CellEnergies energies;
+    std::fill(force_.begin(), force_.end(), 0.0);
+    summary_ = kernel_.forces_and_energies(
+        cells_.arrays(), prony_.data(), {.displacement = displacement.data(), .velocity = velocity},
+        history_.data(), force_.data(), energies);
+    prony_.advance(step_);
+    return energies;
+  }
+  /// Internal forces of the last call [N].
+  const std::vector<double>& last_force() const { return force_; }
   double energy(const std::vector<double>& displacement) const {
     return kernel_.stored_energy(cells_.arrays(), displacement.data(), history_.data());
   }

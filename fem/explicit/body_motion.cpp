@@ -32,16 +32,6 @@ BodyMotion::Sums BodyMotion::sums() const {
   return {.kinetic = 0.5 * (radial + axial) - dispersion_.kinetic(velocity), .momentum = momentum};
 }
 
-double BodyMotion::half_step_work(double drift) const {
-  // Four sums at once: a single one waits on itself. The size is even.
-  double sums[4] = {};
-  std::size_t i = 0;
-  for (; i + 4 <= force.size(); i += 4)
-    for (int k = 0; k < 4; ++k) sums[k] += force[i + k] * velocity[i + k];
-  for (int k = 0; i < force.size(); ++i, ++k) sums[k] += force[i] * velocity[i];
-  return 0.5 * drift * ((sums[0] + sums[1]) + (sums[2] + sums[3]));
-}
-
 void BodyMotion::kick(double span, double gravity) {
   const std::vector<double>& moving = dispersion_.corrected(inverse_mass_, force);
   for (std::size_t i = 0; i < velocity.size(); ++i)

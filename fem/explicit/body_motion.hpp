@@ -21,9 +21,6 @@ class BodyMotion {
   };
   Sums sums() const;
 
-  /// Work of the internal forces over a drift that ends or begins here [J].
-  double half_step_work(double drift) const;
-
   /// Velocities by the internal forces and gravity over `span`.
   void kick(double span, double gravity);
   void drift(double span);

@@ -7,6 +7,7 @@
 #include "fem/contact/moving_plate.hpp"
 #include "fem/contact/rigid_plate.hpp"
 #include "fem/explicit/body_motion.hpp"
+#include "fem/explicit/material_losses.hpp"
 #include "fem/explicit/prony_steps.hpp"
 #include "fem/explicit/stable_step.hpp"
 #include "fem/impact/energy_check.hpp"
@@ -52,10 +53,12 @@ class ExplicitImpact {
   ImpactRecorder recorder_;
   std::unique_ptr<ImpactFields> fields_;  ///< null: none asked for
   CellSummary summary_;
+  CellEnergies of_cells_;  ///< at the last sample
+  MaterialLosses losses_;
   PronySteps prony_;
   long steps_ = 0;
   double time_ = 0.0;
-  double internal_work_ = 0.0, constraint_work_ = 0.0, friction_work_ = 0.0;
+  double constraint_work_ = 0.0, friction_work_ = 0.0;
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
   double last_contact_ = 0.0;
   EnergyBalance energies_;
@@ -116,10 +119,7 @@ void ExplicitImpact::update_energies(const BodyMotion::Sums& before, const Plate
   const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
   energies_.kinetic_centre_of_mass = 0.5 * mass * centre_speed * centre_speed;
   energies_.kinetic_vibration = kinetic - energies_.kinetic_centre_of_mass;
-  energies_.stored = kernel_.stored_energy(arrays_, motion_.displacement.data(), history_.data());
-  // An elastic body loses nothing inside: its internal work is then not used, and
-  // the balance below holds the stress against the energy it derives from.
-  energies_.branches = material_.dissipates() ? internal_work_ - energies_.stored : 0.0;
+  losses_.put_into(energies_, of_cells_);
   energies_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
   energies_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
   energies_.adhesion = plate_->adhesive_energy(motion_.displacement);
@@ -157,12 +157,14 @@ void ExplicitImpact::step() {
                        .velocity = motion_.velocity.data()};
   if (fields_) fields_->see(time_, prony_.data(), now, history_);
   std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
-  summary_ =
-      kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(), motion_.force.data());
   const bool sampling = recorder_.next_sample() < time_ + ahead;
+  summary_ = sampling ? kernel_.forces_and_energies(arrays_, prony_.data(), now, history_.data(),
+                                                    motion_.force.data(), of_cells_)
+                      : kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(),
+                                                motion_.force.data());
+  losses_.advance(summary_, behind);
   const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
 
-  internal_work_ += motion_.half_step_work(behind);
   plate_->remember(motion_.velocity);
   const StepSpan span{.kick = 0.5 * (behind + ahead), .drift = ahead};
   motion_.kick(span.kick, problem_.gravity);
@@ -178,7 +180,6 @@ void ExplicitImpact::step() {
   recorder_.add_reading(plate.reading, start, end);
   if (plate.impulse > 0.0) last_contact_ = end;
   if (sampling) record_samples(before, plate);
-  internal_work_ += motion_.half_step_work(ahead);
 
   motion_.drift(ahead);
   plate_->drift(ahead);

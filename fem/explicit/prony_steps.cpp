@@ -34,6 +34,18 @@ PronySteps::PronySteps(const ViscoelasticConstants& material, double first_step)
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].deviatoric_share = branches_[i].deviatoric_share;
     steps_[i].volumetric_share = branches_[i].volumetric_share;
+    steps_[i].stiff = branches_[i].relaxation_time < first_step;
+    steps_[i].inverse_time = 1.0 / branches_[i].relaxation_time;
+    steps_[i].held_per_deviator =
+        1.0 / (4.0 * branches_[i].deviatoric_share * material.instantaneous.shear);
+    // After Mullins softening D is no measure of what the law holds: Q alone counts.
+    steps_[i].held_rounding =
+        material.inelastic.remembers_strain
+            ? 1e30
+            : 1e-14 * branches_[i].deviatoric_share * material.instantaneous.shear;
+    if (branches_[i].volumetric_share > 0.0)
+      steps_[i].held_per_trace =
+          1.0 / (18.0 * branches_[i].volumetric_share * material.instantaneous.bulk);
     if (branches_[i].multiplicative) describe_flow(branches_[i], material.instantaneous, steps_[i]);
   }
   advance(first_step);
@@ -43,6 +55,7 @@ void PronySteps::advance(double next) {
   const bool same = next == step_;
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     steps_[i].gain = steps_[i].gain_next;
+    steps_[i].stiff_work = 2.0 * step_ / branches_[i].relaxation_time;
     BranchFlow& flow = steps_[i].flow;
     flow.before = flow.next;
     flow.decay_before = flow.decay_next;

@@ -13,10 +13,10 @@ class EnergyCheck {
   explicit EnergyCheck(double brought) : brought_(brought) {}
 
   void check(const EnergyBalance& balance) {
-    const double found = balance.kinetic_centre_of_mass + balance.kinetic_vibration +
-                         balance.stored + balance.branches + balance.contact_constraint +
-                         balance.friction + balance.adhesion + balance.plate_kinetic +
-                         balance.plate_spring + balance.plate_damper + balance.gravity;
+    const double found =
+        balance.kinetic_centre_of_mass + balance.kinetic_vibration + balance.stored + balance.held +
+        balance.dissipated + balance.contact_constraint + balance.friction + balance.adhesion +
+        balance.plate_kinetic + balance.plate_spring + balance.plate_damper + balance.gravity;
     worst_ = std::max(worst_, std::abs(found - brought_) / brought_);
   }
 

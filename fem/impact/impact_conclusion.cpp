@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fem/impact/window_scalars.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound::fem {
@@ -11,6 +12,12 @@ void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
   const double v0 = problem.impact.speed, g = problem.gravity;
   const double rebound = recorder.total_impulse() / end.mass - v0 - g * end.last_contact;
   result.scalars = derive_scalars(result.trace, problem.impact, end.last_contact, rebound);
+  const WindowScalars windows = window_scalars(recorder.half_windows(), end.last_contact);
+  result.scalars.peak_force = windows.peak_force;
+  result.scalars.contact_time_1pct = windows.contact_time_1pct;
+  result.contact_time_tail = windows.contact_time_tail;
+  result.force_averaging_window = 2.0 * recorder.half_windows().interval();
+  result.window_force = recorder.half_windows().running_means(4);
   result.restitution_momentum = (end.speed + g * (end.time - end.last_contact)) / v0;
   const double expected = end.mass * (v0 + end.speed + g * end.time);
   result.closures.impulse =

@@ -19,7 +19,8 @@ struct ImpactEnd {
 };
 
 /// Scalars and closures of a complete run, the same for every scheme: the
-/// definitions are shared, the numbers that go into them are the scheme's own.
+/// definitions are shared, the numbers that go into them are the scheme's own. Peak force and
+/// the times between crossings are of window_scalars().
 ///
 ///   rebound speed   impulse/m − v₀ − g t_last
 ///   restitution     by momentum: (speed + g (time − t_last))/v₀

@@ -1,5 +1,7 @@
 #include "fem/impact/impact_recorder.hpp"
 
+#include "fem/impact/window_scalars.hpp"
+
 namespace rebound::fem {
 namespace {
 
@@ -14,7 +16,9 @@ ImpactRecorder::ImpactRecorder(double interval, double expected_duration, Readin
       reading_(reading),
       contact_(interval, expected_samples(interval, expected_duration)),
       cell_(interval,
-            reading == Reading::load_cell ? expected_samples(interval, expected_duration) : 0) {
+            reading == Reading::load_cell ? expected_samples(interval, expected_duration) : 0),
+      half_windows_(0.5 * expected_duration / windows_per_contact,
+                    static_cast<std::size_t>(4 * windows_per_contact)) {
   const auto samples = expected_samples(interval, expected_duration);
   energies_.reserve(samples);
   for (auto* column : {&time_, &deflection_, &pole_deflection_, &contact_radius_})

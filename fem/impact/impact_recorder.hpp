@@ -21,7 +21,10 @@ class ImpactRecorder {
                  Reading reading = Reading::contact_force);
 
   /// Impulse on the body, delivered evenly from `start` to `end`.
-  void add_impulse(double impulse, double start, double end) { contact_.add(impulse, start, end); }
+  void add_impulse(double impulse, double start, double end) {
+    contact_.add(impulse, start, end);
+    half_windows_.add(impulse, start, end);
+  }
   /// Impulse on the load cell.
   void add_reading(double impulse, double start, double end) { cell_.add(impulse, start, end); }
 
@@ -42,11 +45,13 @@ class ImpactRecorder {
   std::vector<double> contact_force() const { return contact_.force(time_.size()); }
   const std::vector<EnergyBalance>& energies() const { return energies_; }
   double total_impulse() const { return contact_.total(); }
+  /// The same force in bins of half an averaging window (window_scalars).
+  const ImpulseBins& half_windows() const { return half_windows_; }
 
  private:
   double interval_;
   Reading reading_;
-  ImpulseBins contact_, cell_;
+  ImpulseBins contact_, cell_, half_windows_;
   std::vector<double> time_, deflection_, pole_deflection_, contact_radius_, plate_displacement_;
   std::vector<EnergyBalance> energies_;
 };

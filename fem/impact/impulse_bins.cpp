@@ -39,4 +39,17 @@ std::vector<double> ImpulseBins::force(std::size_t samples) const {
   return force;
 }
 
+std::vector<double> ImpulseBins::running_means(std::size_t half_bins) const {
+  const double length = 0.5 * interval_ * static_cast<double>(half_bins);
+  std::vector<double> padded = half_bins_;
+  padded.resize(half_bins_.size() + half_bins + 1, 0.0);
+  std::vector<double> means;
+  for (std::size_t from = 0; from + half_bins <= padded.size(); ++from) {
+    double sum = 0.0;
+    for (std::size_t i = from; i < from + half_bins; ++i) sum += padded[i];
+    means.push_back(sum / length);
+  }
+  return means;
+}
+
 }  // namespace rebound::fem

@@ -23,6 +23,13 @@ class ImpulseBins {
   /// Force at the first `samples` grid points; the last is the mean of half a bin.
   std::vector<double> force(std::size_t samples) const;
 
+  /// Mean forces over `half_bins` half bins each, slid by one; the first begins at zero.
+  /// Two of no force stand behind the last impulse.
+  std::vector<double> running_means(std::size_t half_bins) const;
+  /// Grid points up to one behind the last impulse, for force().
+  std::size_t filled() const { return half_bins_.size() / 2 + 3; }
+
+  double interval() const { return interval_; }
   double total() const { return total_; }
 
  private:

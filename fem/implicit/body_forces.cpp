@@ -31,6 +31,8 @@ bool inverted(const Gradient<double>& f) {
 BodyForces::BodyForces(const QuadraticBody& body, const Material& material, ContactInertia inertia)
     : body_(body), law_(material), mass_(body, inertia) {
   states_.resize(body.cells.size() * quadratic_points * law_.branch_count());
+  if (law_.branch_count() > 0)
+    last_strains_.assign(body.cells.size() * quadratic_points, {1.0, 1.0, 1.0, 0.0});
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < body.node_count(); ++node) unit[2 * node + 1] = 1.0;
   axial_mass_ = mass_.times(unit);
@@ -111,9 +113,31 @@ BodyForces::Outcome BodyForces::linearise(const Eigen::VectorXd& u, double mass_
 }
 
 void BodyForces::accept(const Eigen::VectorXd& u) {
-  each(u, [&](const auto&, const auto&, const auto&, const auto& c, auto branch) {
+  if (law_.branch_count() == 0) return;
+  auto last = last_strains_.begin();
+  each(u, [&](const auto&, const auto& point, const auto&, const auto& c, auto branch) {
+    const Symmetric<double> before = law_.relaxed_stress(states_.data() + branch);
     law_.accept(c, states_.data() + branch);
+    const Symmetric<double> after = law_.relaxed_stress(states_.data() + branch);
+    // dE = ½ dC, and half of the sum of both ends
+    relaxed_work_ +=
+        0.25 * point.weight *
+        ((before.rr + after.rr) * (c.rr - last->rr) + (before.zz + after.zz) * (c.zz - last->zz) +
+         (before.tt + after.tt) * (c.tt - last->tt) +
+         2.0 * (before.rz + after.rz) * (c.rz - last->rz));
+    *last++ = c;
   });
+}
+
+BodyForces::BranchEnergies BodyForces::branch_energies(const Eigen::VectorXd& u) const {
+  BranchEnergies sum;
+  if (law_.branch_count() == 0) return sum;
+  sum.taken = -relaxed_work_;
+  each(u, [&](const auto&, const auto& point, const auto&, const auto& c, auto branch) {
+    sum.taken += point.weight * law_.driving_energy(c);
+    sum.held += point.weight * law_.held_energy(c, states_.data() + branch);
+  });
+  return sum;
 }
 
 double BodyForces::rounding() const {

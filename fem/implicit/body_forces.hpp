@@ -37,6 +37,18 @@ class BodyForces {
 
   double stored_energy(const Eigen::VectorXd& u) const;
 
+  /// What the branches have taken up to the last accepted instant [J], point by point.
+  ///
+  ///   taken   ∫ Σ Q:dE dV = ∫ Σ g W dV − ∫∫ Σ (D − Q):dE dV
+  ///   held    see PointLaw::held_energy(); taken − held is dissipated
+  ///
+  /// The integral of D − Q by the trapezoidal rule: second order in the step at any relaxation
+  /// time, for D − Q is smooth where Q is not.
+  struct BranchEnergies {
+    double taken = 0.0, held = 0.0;
+  };
+  BranchEnergies branch_energies(const Eigen::VectorXd& u) const;
+
   /// Calls use(F, S, stored energy per volume) at every point, cell after cell, as they
   /// are at the end of the step and before accept().
   template <class Use>
@@ -68,7 +80,9 @@ class BodyForces {
 
   const QuadraticBody& body_;
   PointLaw law_;
-  std::vector<BranchState> states_;  ///< [cell][point][branch]
+  std::vector<BranchState> states_;              ///< [cell][point][branch]
+  std::vector<Symmetric<double>> last_strains_;  ///< C of the last accepted instant, [cell][point]
+  double relaxed_work_ = 0.0;                    ///< ∫∫ Σ (D − Q):dE dV [J]
   SystemMatrix mass_;
   Eigen::VectorXd axial_mass_;
 };

@@ -70,7 +70,7 @@ class ImplicitImpact {
   int pole_ = 0;
   long steps_ = 0;
   double smallest_step_;
-  double internal_work_ = 0.0, constraint_work_ = 0.0;
+  double constraint_work_ = 0.0;
   SeparationTime separation_;  ///< of the plate's push, adhesion not in it
   double pull_ = 0.0;          ///< of adhesion [N]
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
@@ -187,7 +187,6 @@ void ImplicitImpact::accept(double step, MotionState next) {
   if (fields_) show_to_fields(step, next);
   forces_.accept(next.u);
   const Eigen::VectorXd change = next.u - now_.u;
-  internal_work_ += 0.5 * change.dot(now_.force + next.force);
   constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
   const double force = next.reaction.sum();
   const double pull = adhesion_ ? adhesion_->pull(next.u) : 0.0;
@@ -211,8 +210,9 @@ void ImplicitImpact::fill(EnergyBalance& balance) const {
   balance.kinetic_vibration = kinetic - balance.kinetic_centre_of_mass;
   balance.stored = forces_.stored_energy(now_.u);
   balance.adhesion = adhesion_ ? adhesion_->energy(now_.u) : 0.0;
-  balance.branches =
-      forces_.law().branch_count() == 0 ? 0.0 : internal_work_ - balance.stored - balance.adhesion;
+  const BodyForces::BranchEnergies branches = forces_.branch_energies(now_.u);
+  balance.held = branches.held;
+  balance.dissipated = branches.taken - branches.held;
   balance.contact_constraint = -constraint_work_;
   balance.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
 }

@@ -123,12 +123,50 @@ void PointLaw::accept(const Symmetric<double>& c, BranchState* states) const {
   }
 }
 
-double PointLaw::stored_energy(const Symmetric<double>& c) const {
+double PointLaw::energy_of(const Symmetric<double>& c, double deviatoric_share,
+                           double volumetric_share) const {
   const Strain<double> strain = strain_from(c);
   return with_elastic(constants_.elastic, [&](const auto& elastic) {
-    return constants_.long_term_deviatoric * elastic.deviatoric_energy(strain) +
-           constants_.long_term_volumetric * elastic.volumetric_energy(strain);
+    return deviatoric_share * elastic.deviatoric_energy(strain) +
+           volumetric_share * elastic.volumetric_energy(strain);
   });
+}
+
+double PointLaw::stored_energy(const Symmetric<double>& c) const {
+  return energy_of(c, constants_.long_term_deviatoric, constants_.long_term_volumetric);
+}
+
+double PointLaw::driving_energy(const Symmetric<double>& c) const {
+  return energy_of(c, 1.0 - constants_.long_term_deviatoric, 1.0 - constants_.long_term_volumetric);
+}
+
+Symmetric<double> PointLaw::relaxed_stress(const BranchState* states) const {
+  Symmetric<double> sum{};
+  for (int i = 0; i < branch_count(); ++i) {
+    weigh(sum, 1.0, states[i].drive);
+    weigh(sum, -1.0, states[i].stress);
+  }
+  return sum;
+}
+
+double PointLaw::held_energy(const Symmetric<double>& c, const BranchState* states) const {
+  const Moduli& moduli = constants_.instantaneous;
+  double sum = 0.0;
+  for (int i = 0; i < branch_count(); ++i) {
+    const BranchConstants& branch = constants_.branches[i];
+    const auto complementary = [&](const Symmetric<double>& a) {
+      const double trace = a.rr + a.zz + a.tt;
+      const double square = a.rr * a.rr + a.zz * a.zz + a.tt * a.tt + 2.0 * a.rz * a.rz;
+      const double volume = branch.volumetric_share * moduli.bulk;
+      return (square - trace * trace / 3.0) / (4.0 * branch.deviatoric_share * moduli.shear) +
+             (volume > 0.0 ? trace * trace / (18.0 * volume) : 0.0);
+    };
+    const double rounding = 1e-14 * branch.deviatoric_share * moduli.shear;
+    sum += complementary(states[i].stress) *
+           (energy_of(c, branch.deviatoric_share, branch.volumetric_share) + rounding) /
+           (complementary(states[i].drive) + rounding);
+  }
+  return sum;
 }
 
 }  // namespace rebound::fem

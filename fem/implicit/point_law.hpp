@@ -54,6 +54,13 @@ class PointLaw {
 
   /// Hyperelastic energy of the long-term state per reference volume [J/m³].
   double stored_energy(const Symmetric<double>& right_cauchy_green) const;
+  /// The same of the shares that drive branches: the work of all D.
+  double driving_energy(const Symmetric<double>& right_cauchy_green) const;
+  /// Σ (D − Q) of the last accepted instant [Pa].
+  Symmetric<double> relaxed_stress(const BranchState* states) const;
+  /// Σ g W |Q|²/|D|², |A|² = A:(g 𝕄)⁻¹:A with 𝕄 the moduli at rest: what the branches hold,
+  /// exactly at small strain, and at any before and after relaxing [J/m³].
+  double held_energy(const Symmetric<double>& right_cauchy_green, const BranchState* states) const;
 
   int branch_count() const { return static_cast<int>(constants_.branches.size()); }
   const ViscoelasticConstants& constants() const { return constants_; }
@@ -64,6 +71,8 @@ class PointLaw {
   };
   Parts parts(const Symmetric<double>& right_cauchy_green) const;
   /// Share of the instantaneous stress at the end of the step that the total has.
+  double energy_of(const Symmetric<double>& right_cauchy_green, double deviatoric_share,
+                   double volumetric_share) const;
   struct StressWeights {
     double deviatoric = 0.0, volumetric = 0.0;
   };

@@ -40,6 +40,25 @@ void check_shares(const Material& material, const KeyPath& at) {
   }
 }
 
+/// ν of both ends of relaxation. Between them it is no higher: K/μ is largest once every
+/// deviator has relaxed.
+void check_poisson_ratios(const Material& material, const KeyPath& at) {
+  const Range& range = limit_of<&Material::poisson_ratio>.range;
+  const auto check_state = [&](const char* state, const fem::Moduli& moduli) {
+    const double found = fem::poisson_ratio(moduli);
+    if (found <= range.highest + 1e-9) return;
+    refuse(std::string("the ") + state + " Poisson ratio is " +
+               number_text(std::round(found * 1e4) / 1e4) +
+               ": branches that relax the deviator alone raise it as they relax",
+           {.key = at.of("poisson_ratio"),
+            .value = number_text(material.poisson_ratio),
+            .allowed = "at most " + number_text(range.highest) +
+                       " before and after relaxing; relaxes = \"all\" keeps it"});
+  };
+  check_state("instantaneous", fem::instantaneous_moduli(material));
+  check_state("long-term", fem::long_term_moduli(material));
+}
+
 /// Each β has a share of the bulk modulus: above −1/3 in every state.
 void check_betas(const Material& material, const KeyPath& at) {
   double weights = 0.0, betas = 0.0;
@@ -117,6 +136,7 @@ void check(const Material& material, const KeyPath& at) {
   check_each(material.layers, "layer", at);
   check_each(material.terms, "term", at);
   check_shares(material, at);
+  check_poisson_ratios(material, at);
   check_terms(material, at);
   check_strain_factors(material, at);
   check_layers(material, at);

@@ -44,6 +44,14 @@ double fem::expected_contact_time(const FemProblem& problem, const Moduli& modul
              0.2);
 }
 
+double fem::expected_contact_radius(const FemProblem& problem, const Moduli& moduli) {
+  const double radius = problem.sphere.radius(), v = problem.impact.speed;
+  const double plane_strain = plane_strain_modulus(moduli);
+  const double approach =
+      std::pow(0.9375 * problem.sphere.mass * v * v / (plane_strain * std::sqrt(radius)), 0.4);
+  return std::sqrt(radius * approach);
+}
+
 void check(const FemProblem& problem) {
   require_limits(problem.sphere, {"sphere"});
   require_limits(problem.impact, {"impact"});

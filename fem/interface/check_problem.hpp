@@ -28,5 +28,13 @@ namespace fem {
 /// the yardstick of default output interval and end time.
 double expected_contact_time(const FemProblem& problem, const Moduli& moduli);
 
+/// Largest contact radius of the same impact [m]: what a mesh has to resolve.
+///
+///   a = √(R δ),   δ^(5/2) = (15/16) m v²/(E* √R)
+///
+/// Limit: that of FE to the width of a cell, at 0.5 and at 15 m/s
+///        -> test MeshForTest.ExpectsTheRadiusThatFeFinds
+double expected_contact_radius(const FemProblem& problem, const Moduli& moduli);
+
 }  // namespace fem
 }  // namespace rebound

@@ -49,6 +49,15 @@ inline Moduli instantaneous_moduli(const Material& material) {
   return {given.shear * (1.0 + sum.deviatoric), given.bulk * (1.0 + sum.volumetric)};
 }
 
+/// Moduli once everything has relaxed: μ∞ = μ₀ (1 − Σ g), K∞ = K₀ (1 − Σ_all g) of an
+/// instantaneous description, else as given.
+inline Moduli long_term_moduli(const Material& material) {
+  const Moduli given = given_moduli(material);
+  if (material.modulus == ModulusBasis::long_term) return given;
+  const RelaxingShares sum = relaxing_shares(material);
+  return {given.shear * (1.0 - sum.deviatoric), given.bulk * (1.0 - sum.volumetric)};
+}
+
 /// Σ μᵢ βᵢ/μ of a hyperfoam that makes Σ 2μᵢ (1/3 + βᵢ) the bulk modulus.
 inline double mean_beta(const Moduli& moduli) {
   return moduli.bulk / (2.0 * moduli.shear) - 1.0 / 3.0;

@@ -11,9 +11,10 @@ namespace rebound {
 /// Where the energy of an FE impact is, at one instant [J].
 struct EnergyBalance {
   double kinetic_centre_of_mass = 0.0;
-  double kinetic_vibration = 0.0;   ///< kinetic energy about the centre of mass
-  double stored = 0.0;              ///< hyperelastic energy of the long-term state
-  double branches = 0.0;            ///< internal work − stored: held by or dissipated in branches
+  double kinetic_vibration = 0.0;  ///< kinetic energy about the centre of mass
+  double stored = 0.0;             ///< hyperelastic energy of the long-term state
+  double held = 0.0;        ///< by branches: their own energy, by convolution at small strain
+  double dissipated = 0.0;  ///< in the ball: branches, viscous stress, Mullins softening
   double contact_constraint = 0.0;  ///< lost when nodes are caught by the plate
   double friction = 0.0;            ///< dissipated by sliding on the plate
   double adhesion = 0.0;            ///< potential of the adhesive traction; zero at first touch
@@ -54,8 +55,11 @@ struct FemResult {
   Trace trace;
   ImpactScalars scalars;
   Closures closures;
-  double restitution_momentum = 0.0;  ///< Σ mᵢ v_z,i / (m v₀) at separation; never from F
-  double contact_radius_peak = 0.0;   ///< [m]
+  double contact_time_tail = 0.0;  ///< by F^(2/3) from 15 to 2 % of the peak, taken to zero [s]
+  double force_averaging_window = 0.0;  ///< of peak_force, whatever the output interval [s]
+  std::vector<double> window_force;     ///< means over that window, slid by a quarter of it [N]
+  double restitution_momentum = 0.0;    ///< Σ mᵢ v_z,i / (m v₀) at separation; never from F
+  double contact_radius_peak = 0.0;     ///< [m]
   double vibrational_energy_share =
       0.0;  ///< (kinetic about the centre + stored) / (½ m v₀²) at the end
   double contact_constraint_share = 0.0;  ///< energy lost by nodes caught by the plate, of ½ m v₀²

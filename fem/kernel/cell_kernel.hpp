@@ -30,9 +30,17 @@ inline constexpr int history_stride = 4;
 struct BranchStep {
   double deviatoric_share = 0.0;
   double volumetric_share = 0.0;
-  double decay_next = 0.0;      ///< a of the step that follows [-]
-  double gain = 0.0;            ///< b of the step that led here [-]
-  double gain_next = 0.0;       ///< b of the step that follows [-]
+  double decay_next = 0.0;         ///< a of the step that follows [-]
+  double gain = 0.0;               ///< b of the step that led here [-]
+  double gain_next = 0.0;          ///< b of the step that follows [-]
+  double inverse_time = 0.0;       ///< 1/τ [1/s]
+  double held_per_deviator = 0.0;  ///< 1/(4 g_d μ): energy held over |dev Q|² [1/Pa]
+  double held_per_trace = 0.0;     ///< 1/(18 g_v K), over (tr Q)²; 0 where volume does not relax
+  double held_rounding = 0.0;      ///< energy density below which D measures nothing [J/m³]
+  /// τ below the first step: Q is then a viscous stress, whose work over the step that led here is
+  /// 2 Δt/τ times its complementary energy; the identity of CellEnergies would be of first order.
+  bool stiff = false;
+  double stiff_work = 0.0;      ///< 2 Δt/τ of that step [-]
   bool multiplicative = false;  ///< then the members above are not used, those below are
   Moduli moduli;                ///< μ_b, K_b [Pa]
   BranchFlow flow;
@@ -64,6 +72,29 @@ struct CellSummary {
   double smallest_jacobian = 0.0;          ///< over all integration points
   double largest_frequency_squared = 0.0;  ///< bound over all cells [1/s²]; with damping that
                                            ///< of the undamped motion with the same stable step
+  double relaxing_power = 0.0;             ///< ∫ Σ (Q/τ):E dV of branches by convolution [W]
+  double viscous_power = 0.0;  ///< ∫ S:Ė dV of the viscous stress, Ė of the velocities given [W]
+  /// Lost by the flow of multiplicative branches in the half step up to this instant, and in the
+  /// half step after it; what stiff branches lose is in the former [J].
+  double flow_before = 0.0, flow_after = 0.0;
+};
+
+/// Where the energy of all cells is at one instant [J]. With E Green's strain, D the stress that
+/// drives a branch by convolution, Q its own, Ψ the energy of the law after any softening and
+/// D_m what softening took of the first loading:
+///
+///   stored    ∫ c Ψ dV, c the long-term shares: what CellKernel::stored_energy returns
+///   softened  ∫ c D_m dV, gone for good
+///   driving   ∫ Σ g (Ψ + D_m) dV, the work of all D
+///   relaxed   ∫ Σ (D − Q):E dV
+///   held      ∫ Σ g Ψ |Q|²/|D|² dV, |A|² = A:(g 𝕄)⁻¹:A with 𝕄 the moduli at rest: exact at small
+///             strain, and at any before and after relaxing; held_multiplicative ∫ Σ W_b dV
+///
+/// The work of branches by convolution is driving − relaxed + ∫ relaxing_power dt, for
+/// Q:Ė = D:Ė − d/dt[(D − Q):E] + (Q/τ):E -> test MaterialLossesTest.BalanceCloses
+struct CellEnergies {
+  double stored = 0.0, softened = 0.0, driving = 0.0, relaxed = 0.0;
+  double held = 0.0, held_multiplicative = 0.0;
 };
 
 /// The functions of one instruction set. Displacement and force are
@@ -75,6 +106,9 @@ struct CellKernel {
   /// Of `motion.velocity` only a viscous stress asks.
   CellSummary (*internal_forces)(const CellArrays&, const BranchStep*, const CellMotion& motion,
                                  double* history, double* force);
+  /// The same, and where the energy is at that instant.
+  CellSummary (*forces_and_energies)(const CellArrays&, const BranchStep*, const CellMotion& motion,
+                                     double* history, double* force, CellEnergies& energies);
   /// Hyperelastic energy of the long-term state, after any softening [J].
   double (*stored_energy)(const CellArrays&, const double* displacement, const double* history);
 };

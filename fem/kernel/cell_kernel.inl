@@ -14,10 +14,31 @@ namespace {
 
 #include "fem/kernel/cell_points.inl"
 
-template <Elastic<Real> Law>
+inline double sum_of(Real a) {
+  double total = 0.0;
+  for (int lane = 0; lane < width; ++lane) total += a[lane];
+  return total;
+}
+
+/// Shares of the instantaneous law that branches by convolution take.
+struct DrivenShares {
+  double deviatoric = 0.0, volumetric = 0.0;
+
+  DrivenShares(const CellArrays& cells, const BranchStep* branches) {
+    for (int b = 0; b < cells.branches; ++b) {
+      if (branches[b].multiplicative || branches[b].stiff) continue;
+      deviatoric += branches[b].deviatoric_share;
+      volumetric += branches[b].volumetric_share;
+    }
+  }
+};
+
+template <Energies asked, Elastic<Real> Law>
 CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
                                const BranchStep* branches, const double* displacement,
-                               double* history, double* force) {
+                               double* history, double* force, CellEnergies* energies) {
+  [[maybe_unused]] const DrivenShares driven(cells, branches);
+  Real relaxing_power = {}, flow_before = {}, stored = {}, driving = {}, relaxed = {}, held = {};
   const Real zero = {};
   const Real long_term_deviatoric = zero + cells.long_term_deviatoric;
   const Real long_term_volumetric = zero + cells.long_term_volumetric;
@@ -49,9 +70,28 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
       Symmetric<Real> stress =
           combine(long_term_deviatoric, deviatoric, long_term_volumetric, volumetric);
       double* carried = history + (first_point + q) * cells.branches * history_stride * width;
+      PointEnergies of_point = no_energies();
+      Real of_deviator = zero, of_volume = zero;
+      if constexpr (asked == Energies::all) {
+        of_deviator = elastic.deviatoric_energy(strain);
+        of_volume = elastic.volumetric_energy(strain);
+        stored += point.weight * (cells.long_term_deviatoric * of_deviator +
+                                  cells.long_term_volumetric * of_volume);
+        driving += point.weight * (driven.deviatoric * of_deviator + driven.volumetric * of_volume);
+      }
       for (int b = 0; b < cells.branches; ++b)
-        advance_branch(branches[b], deviatoric, volumetric, carried + b * history_stride * width,
-                       stress);
+        advance_branch<asked>(branches[b], deviatoric, volumetric,
+                              carried + b * history_stride * width, stress,
+                              share_of(branches[b], of_deviator, of_volume), of_point);
+      if constexpr (asked != Energies::none) {
+        const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
+        relaxing_power += point.weight * contract(of_point.relaxing, green);
+        flow_before += point.weight * of_point.flow_before;
+        if constexpr (asked == Energies::all) {
+          relaxed += point.weight * contract(of_point.relaxed, green);
+          held += point.weight * of_point.held;
+        }
+      }
       add_point_force(point, shape[q], first_piola(gradient, stress), f);
       smallest_jacobian = strain.jacobian < smallest_jacobian ? strain.jacobian : smallest_jacobian;
       growth = larger(growth,
@@ -68,6 +108,15 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
     if (largest_frequency[lane] > summary.largest_frequency_squared)
       summary.largest_frequency_squared = largest_frequency[lane];
   }
+  summary.relaxing_power = sum_of(relaxing_power);
+  summary.flow_before = sum_of(flow_before);
+  if constexpr (asked == Energies::all)
+    *energies = {.stored = sum_of(stored),
+                 .softened = 0.0,
+                 .driving = sum_of(driving),
+                 .relaxed = sum_of(relaxed),
+                 .held = sum_of(held),
+                 .held_multiplicative = 0.0};
   return summary;
 }
 
@@ -94,9 +143,26 @@ double stored_energy_of(const Law& elastic, const CellArrays& cells, const doubl
 CellSummary internal_forces(const CellArrays& cells, const BranchStep* branches,
                             const CellMotion& motion, double* history, double* force) {
   return with_elastic(cells.elastic, [&](const auto& elastic) {
+    if (cells.inelastic.acts)
+      return inelastic_forces_of<Energies::rates>(elastic, cells, branches, motion, history, force,
+                                                  nullptr);
+    return cells.branches > 0
+               ? internal_forces_of<Energies::rates>(elastic, cells, branches, motion.displacement,
+                                                     history, force, nullptr)
+               : internal_forces_of<Energies::none>(elastic, cells, branches, motion.displacement,
+                                                    history, force, nullptr);
+  });
+}
+
+CellSummary forces_and_energies(const CellArrays& cells, const BranchStep* branches,
+                                const CellMotion& motion, double* history, double* force,
+                                CellEnergies& energies) {
+  return with_elastic(cells.elastic, [&](const auto& elastic) {
     return cells.inelastic.acts
-               ? inelastic_forces_of(elastic, cells, branches, motion, history, force)
-               : internal_forces_of(elastic, cells, branches, motion.displacement, history, force);
+               ? inelastic_forces_of<Energies::all>(elastic, cells, branches, motion, history,
+                                                    force, &energies)
+               : internal_forces_of<Energies::all>(elastic, cells, branches, motion.displacement,
+                                                   history, force, &energies);
   });
 }
 
@@ -111,6 +177,6 @@ double stored_energy(const CellArrays& cells, const double* displacement, const 
 
 extern const CellKernel REBOUND_KERNEL_SYMBOL;
 const CellKernel REBOUND_KERNEL_SYMBOL = {REBOUND_KERNEL_NAME, width, internal_forces,
-                                          stored_energy};
+                                          forces_and_energies, stored_energy};
 
 }  // namespace rebound::fem

@@ -47,8 +47,8 @@ void advance_of(const Law& law, const CellArrays& cells, const BranchStep* branc
       const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
       const Gradient<Real> f = deformation(point, shape[q], u);
       Scratch scratch(history + at * cells.history_per_point * width, cells.history_per_point);
-      const PointOutcome out = point_outcome(law, cells, branches, f,
-                                             velocity_gradient(point, shape[q], v), scratch.values);
+      const PointOutcome out = point_outcome<Energies::none>(
+          law, cells, branches, f, velocity_gradient(point, shape[q], v), scratch.values);
       const Gradient<Real> piola = first_piola(f, out.stress);
       double* carried = observed + at * observed_stride * width;
       const Real twice = observe_component(carried, f.rr - 1.0, piola.rr) +

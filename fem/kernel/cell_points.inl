@@ -96,10 +96,48 @@ inline Symmetric<Real> combine(Real a, const Symmetric<Real>& x, Real b, const S
   return {a * x.rr + b * y.rr, a * x.zz + b * y.zz, a * x.tt + b * y.tt, a * x.rz + b * y.rz};
 }
 
-/// Adds Q of one branch to `total` and replaces the carried tensor.
+/// A : B of symmetric tensors.
+inline Real contract(const Symmetric<Real>& a, const Symmetric<Real>& b) {
+  return a.rr * b.rr + a.zz * b.zz + a.tt * b.tt + 2.0 * a.rz * b.rz;
+}
+
+/// E = ½ (C − 1).
+inline Symmetric<Real> green_strain(const Symmetric<Real>& c) {
+  return {0.5 * (c.rr - 1.0), 0.5 * (c.zz - 1.0), 0.5 * (c.tt - 1.0), 0.5 * c.rz};
+}
+
+/// Energies per reference volume, as CellSummary and CellEnergies sum them.
+enum class Energies { none, rates, all };
+struct PointEnergies {
+  Symmetric<Real> relaxing;  ///< Σ Q/τ
+  Symmetric<Real> relaxed;   ///< Σ (D − Q)
+  Real held, held_multiplicative, viscous_power, flow_before, flow_after;
+};
+
+inline PointEnergies no_energies() {
+  const Real zero = {};
+  const Symmetric<Real> none{zero, zero, zero, zero};
+  return {none, none, zero, zero, zero, zero, zero};
+}
+
+/// ½ A:(g 𝕄)⁻¹:A.
+inline Real complementary_energy(const BranchStep& branch, const Symmetric<Real>& a) {
+  const Real trace = a.rr + a.zz + a.tt;
+  const Real all = a.rr * a.rr + a.zz * a.zz + a.tt * a.tt + 2.0 * a.rz * a.rz;
+  return branch.held_per_deviator * (all - (1.0 / 3.0) * trace * trace) +
+         branch.held_per_trace * trace * trace;
+}
+
+inline Real share_of(const BranchStep& branch, const Real& deviatoric, const Real& volumetric) {
+  return branch.deviatoric_share * deviatoric + branch.volumetric_share * volumetric;
+}
+
+/// Adds Q of one branch to `total` and replaces the carried tensor; `driving` is the energy of
+/// the branch's share of the law, asked for with all energies alone.
+template <Energies asked>
 inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& deviatoric,
                            const Symmetric<Real>& volumetric, double* history,
-                           Symmetric<Real>& total) {
+                           Symmetric<Real>& total, const Real& driving, PointEnergies& energies) {
   const Real zero = {};
   const Symmetric<Real> drive = combine(zero + branch.deviatoric_share, deviatoric,
                                         zero + branch.volumetric_share, volumetric);
@@ -108,11 +146,29 @@ inline void advance_branch(const BranchStep& branch, const Symmetric<Real>& devi
     const Real q = load<Real>(carried) + branch.gain * d;
     sum += q;
     store(carried, branch.decay_next * q - branch.gain_next * d);
+    return q;
   };
-  advance(0, drive.rr, total.rr);
-  advance(1, drive.zz, total.zz);
-  advance(2, drive.tt, total.tt);
-  advance(3, drive.rz, total.rz);
+  const Symmetric<Real> q{advance(0, drive.rr, total.rr), advance(1, drive.zz, total.zz),
+                          advance(2, drive.tt, total.tt), advance(3, drive.rz, total.rz)};
+  if (branch.stiff) {  // of the branch, not of a point
+    if constexpr (asked != Energies::none)
+      energies.flow_before += branch.stiff_work * complementary_energy(branch, q);
+    return;
+  }
+  if constexpr (asked != Energies::none) {
+    energies.relaxing.rr += branch.inverse_time * q.rr;
+    energies.relaxing.zz += branch.inverse_time * q.zz;
+    energies.relaxing.tt += branch.inverse_time * q.tt;
+    energies.relaxing.rz += branch.inverse_time * q.rz;
+  }
+  if constexpr (asked == Energies::all) {
+    energies.relaxed.rr += drive.rr - q.rr;
+    energies.relaxed.zz += drive.zz - q.zz;
+    energies.relaxed.tt += drive.tt - q.tt;
+    energies.relaxed.rz += drive.rz - q.rz;
+    energies.held += complementary_energy(branch, q) * (driving + branch.held_rounding) /
+                     (complementary_energy(branch, drive) + branch.held_rounding);
+  }
 }
 
 inline Real larger(Real a, Real b) {

@@ -11,10 +11,15 @@ inline double damped_frequency_squared(double a, double c) {
   return frequency * frequency;
 }
 
-template <Elastic<Real> Law>
+template <Energies asked, Elastic<Real> Law>
 CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const BranchStep* branches,
-                                const CellMotion& motion, double* history, double* force) {
+                                const CellMotion& motion, double* history, double* force,
+                                CellEnergies* energies) {
   const Real zero = {};
+  [[maybe_unused]] const DrivenShares driven(cells, branches);
+  Real relaxing_power = zero, viscous_power = zero, flow_before = zero, flow_after = zero;
+  Real stored = zero, softened = zero, driving = zero, relaxed = zero, held = zero,
+       held_multiplicative = zero;
   const bool viscous = cells.inelastic.retardation_time > 0.0;
   Real smallest_jacobian = zero + 1e300, stiffest = zero, most_damped = zero;
   for (int batch = 0; batch < cells.batches; ++batch) {
@@ -29,9 +34,26 @@ CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const B
       const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
       const Gradient<Real> f = deformation(point, shape[q], u);
       const PointOutcome out =
-          point_outcome(law, cells, branches, f, velocity_gradient(point, shape[q], v),
-                        history + at * cells.history_per_point * width);
+          point_outcome<asked>(law, cells, branches, f, velocity_gradient(point, shape[q], v),
+                               history + at * cells.history_per_point * width);
       add_point_force(point, shape[q], first_piola(f, out.stress), forces);
+      const Strain<Real> strain = strain_of(f);
+      const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
+      relaxing_power += point.weight * contract(out.energies.relaxing, green);
+      viscous_power += point.weight * out.energies.viscous_power;
+      flow_before += point.weight * out.energies.flow_before;
+      flow_after += point.weight * out.energies.flow_after;
+      if constexpr (asked == Energies::all) {
+        const LawEnergies& now = out.law;
+        const double c_d = cells.long_term_deviatoric, c_v = cells.long_term_volumetric;
+        stored += point.weight * (c_d * now.deviatoric + c_v * now.volumetric);
+        softened += point.weight * (c_d * now.softened);
+        driving += point.weight * (driven.deviatoric * (now.deviatoric + now.softened) +
+                                   driven.volumetric * now.volumetric);
+        relaxed += point.weight * contract(out.energies.relaxed, green);
+        held += point.weight * out.energies.held;
+        held_multiplicative += point.weight * out.energies.held_multiplicative;
+      }
       const Real jacobian = jacobian_of(f);
       smallest_jacobian = jacobian < smallest_jacobian ? jacobian : smallest_jacobian;
       growth = larger(growth, out.growth);
@@ -52,6 +74,17 @@ CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const B
   }
   summary.largest_frequency_squared =
       damped_frequency_squared(stiffness, cells.inelastic.retardation_time * damping);
+  summary.relaxing_power = sum_of(relaxing_power);
+  summary.viscous_power = sum_of(viscous_power);
+  summary.flow_before = sum_of(flow_before);
+  summary.flow_after = sum_of(flow_after);
+  if constexpr (asked == Energies::all)
+    *energies = {.stored = sum_of(stored),
+                 .softened = sum_of(softened),
+                 .driving = sum_of(driving),
+                 .relaxed = sum_of(relaxed),
+                 .held = sum_of(held),
+                 .held_multiplicative = sum_of(held_multiplicative)};
   return summary;
 }
 

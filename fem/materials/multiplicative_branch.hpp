@@ -90,6 +90,7 @@ struct BranchPoint {
   Symmetric<T> inverse_viscous;  ///< Cᵥ⁻¹ half a step on
   T energy;                      ///< W_b where the stress is taken [J/m³]
   T dissipated;                  ///< over both half steps [J/m³], never negative
+  T dissipated_before;           ///< over the first of them, up to where the stress is taken
   T growth;                      ///< as stiffness_growth, over the branch at rest [-]
 };
 
@@ -168,6 +169,7 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
                       twice * hoop + pressure, twice * n_rz});
   const T at_start = moduli.shear * (deviator + volume);
   point.energy = at_start * left * left;
+  point.dissipated_before = at_start * (1.0 - left * left);
   const T both = left * after;
   point.dissipated = at_start * (1.0 - both * both);
   // b after both halves: exp(2ε'), the volume kept where only the deviator flows.

@@ -67,16 +67,19 @@ inline FactorAt<T> factor_at(const StrainFactor& k, const T& w, const T& largest
   return at;
 }
 
-/// Ψ per reference volume [J/m³]: what unloading gives back.
+/// ∫₀^ε g E ε dε and ∫₀^ε g E ε² dε, what Ψ is made of [J/m³].
 template <class T>
-inline T factored_energy(const StrainFactor& k, const FactorAt<T>& at) {
-  const T e = at.strain, e2 = e * e, e3 = e2 * e, e4 = e2 * e2;
+struct StrainMoments {
+  T first, second;
+};
+template <class T>
+inline StrainMoments<T> strain_moments(const StrainFactor& k, const T& e) {
+  const T e2 = e * e, e3 = e2 * e, e4 = e2 * e2;
   const T zero = 0.0 * e;
   constexpr double r = softening_rate, e0 = densification_strain;
   const T fade = exp(T(-r * e));
   const T y = e > e0 ? T(e - e0) : zero;
   const T y3 = y * y * y;
-  // ∫ g ε dε and ∫ g ε² dε
   const T first = 0.5 * e2 + (k.stiffening / 3.0) * e3 -
                   k.softening * (0.5 * e2 - (1.0 - (1.0 + r * e) * fade) * (1.0 / (r * r))) +
                   k.densification * y3 * (0.25 * y + e0 / 3.0);
@@ -85,7 +88,27 @@ inline T factored_energy(const StrainFactor& k, const FactorAt<T>& at) {
       k.softening * ((1.0 / 3.0) * e3 -
                      (2.0 - (r * r * e2 + 2.0 * r * e + 2.0) * fade) * (1.0 / (r * r * r))) +
       k.densification * y3 * (0.2 * y * y + 0.5 * e0 * y + e0 * e0 / 3.0);
-  return k.youngs_modulus * ((1.0 - k.mullins) * first + k.mullins / at.largest_strain * second);
+  return {first, second};
+}
+
+/// What Mullins softening has taken by now: the first loading up to ε_m less Ψ there, a function
+/// of ε_m alone since nothing is lost below it [J/m³].
+///
+///   D_m = E d [∫₀^ε_m g ε dε − (1/ε_m) ∫₀^ε_m g ε² dε]
+///
+/// Limit: with Ψ it is the work of any path -> test StrainFactorTest.WorkIsStoredAndSoftened
+template <class T>
+inline T softened_energy(const StrainFactor& k, const FactorAt<T>& at) {
+  const StrainMoments<T> m = strain_moments(k, at.largest_strain);
+  return k.youngs_modulus * k.mullins * (m.first - m.second / at.largest_strain);
+}
+
+/// Ψ per reference volume [J/m³]: what unloading gives back.
+template <class T>
+inline T factored_energy(const StrainFactor& k, const FactorAt<T>& at) {
+  const StrainMoments<T> m = strain_moments(k, at.strain);
+  return k.youngs_modulus *
+         ((1.0 - k.mullins) * m.first + k.mullins / at.largest_strain * m.second);
 }
 
 }  // namespace rebound::fem

@@ -17,6 +17,11 @@ struct ImpactScalars {
   SeparationRule separation = SeparationRule::zero_force;
 };
 
+/// Share of the kinetic energy that the impact took, 1 − e² [-].
+inline double kinetic_energy_loss_share(const ImpactScalars& scalars) {
+  return 1.0 - scalars.restitution * scalars.restitution;
+}
+
 /// How well momentum and energy balance; part of every result.
 struct Closures {
   /// |∫F dt − m (v₀ + v₁ + g T)| / (m (v₀ + v₁ + g T)), F the contact force, v₁ the

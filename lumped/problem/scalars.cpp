@@ -27,9 +27,7 @@ double integral(const std::vector<double>& time, const std::vector<double>& valu
   return sum;
 }
 
-double time_above(const Trace& trace, double threshold) {
-  const auto& t = trace.time;
-  const auto& f = trace.force;
+double time_above(const std::vector<double>& t, const std::vector<double>& f, double threshold) {
   const auto crossing = [&](std::size_t below, std::size_t above) {
     return t[below] + (t[above] - t[below]) * (threshold - f[below]) / (f[above] - f[below]);
   };
@@ -43,6 +41,17 @@ double time_above(const Trace& trace, double threshold) {
   return end - start;
 }
 
+double time_above(const Trace& trace, double threshold) {
+  return time_above(trace.time, trace.force, threshold);
+}
+
+const std::vector<double>& contact_force(const Trace& trace) {
+  const auto column =
+      std::find_if(trace.further.begin(), trace.further.end(),
+                   [](const TraceColumn& c) { return c.name == contact_force_column; });
+  return column == trace.further.end() ? trace.force : column->values;
+}
+
 ImpactScalars derive_scalars(const Trace& trace, const Impact& impact, double separation_time,
                              double rebound_speed) {
   const std::size_t n = trace.time.size();
@@ -54,9 +63,11 @@ ImpactScalars derive_scalars(const Trace& trace, const Impact& impact, double se
   scalars.contact_time = separation_time;
   scalars.rebound_speed = rebound_speed;
   scalars.restitution = rebound_speed / impact.speed;
-  scalars.peak_force = refined_peak(trace.time, trace.force);
+  const std::vector<double>& force = contact_force(trace);
+  if (force.size() != n) throw Error(ExitCode::bad_input, "a trace needs columns of equal length");
+  scalars.peak_force = refined_peak(trace.time, force);
   scalars.peak_deflection = refined_peak(trace.time, trace.deflection);
-  scalars.contact_time_1pct = time_above(trace, 0.01 * scalars.peak_force);
+  scalars.contact_time_1pct = time_above(trace.time, force, 0.01 * scalars.peak_force);
   double area = 0.0;
   for (std::size_t i = 1; i < n && trace.time[i - 1] < separation_time; ++i) {
     const double end = std::min(trace.time[i], separation_time);

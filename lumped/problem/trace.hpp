@@ -11,6 +11,9 @@ struct TraceColumn {
   std::vector<double> values;
 };
 
+/// The column of the force on the ball, beside what a load cell reads.
+inline constexpr const char* contact_force_column = "contact_force_N";
+
 /// A force history and the motion that goes with it. All columns have the
 /// same length; time strictly increases and is zero at first touch.
 struct Trace {

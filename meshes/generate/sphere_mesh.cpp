@@ -153,6 +153,17 @@ void check(const SphereMeshRequest& request) {
 
 }  // namespace
 
+double grading_for_contact(int cells, double contact_over_radius) {
+  constexpr double even = 1.5;  ///< the default: a contact of a third of the radius and more
+  if (!(contact_over_radius > 0.0 && contact_over_radius < 1.0) || cells < 20) return even;
+  constexpr double fewest = 8.0, share = 0.125;
+  const double around = 4.0 * blocks_for(cells).core;
+  const double in_contact = std::min(std::max(fewest, share * around), 0.5 * around);
+  const double root = std::tan(0.5 * std::numbers::pi * in_contact / around) /
+                      std::tan(0.5 * std::asin(contact_over_radius));
+  return std::clamp(root * root, even, largest_grading);
+}
+
 Mesh generate_sphere_mesh(const SphereMeshRequest& request) {
   check(request);
   const Blocks blocks = blocks_for(request.cells);

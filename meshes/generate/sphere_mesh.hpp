@@ -31,4 +31,19 @@ namespace rebound {
 /// Source:  Möbius maps: Needham, Visual Complex Analysis (1997), ch. 3.
 Mesh generate_sphere_mesh(const SphereMeshRequest& request);
 
+/// The grading of a whole sphere that resolves a contact.
+///
+///   tan(θ/2) = √g tan(α/2),   sin α = a/R,   θ = π k/n,   k = max(8, n/8)
+///
+///   n  cells around the half-circle [-], k those of them in contact
+///   a  contact radius, R that of the sphere [m];  g the grading, held in [1.5, 200]
+///
+/// The Möbius map takes the angle α from the pole to θ on the even circle. An eighth of
+/// the boundary is what grading 1.5 gives a contact of a third of the radius.
+///
+/// Valid:   0 < a/R < 1, cells ≥ 20; else 1.5.
+/// Limit:   eight vertices and more lie within a -> test SphereMeshTest.EightVerticesInTheContact
+/// Caution: at 200 a contact below a twentieth of the radius has fewer on 250 cells.
+double grading_for_contact(int cells, double contact_over_radius);
+
 }  // namespace rebound

@@ -118,6 +118,10 @@ TEST_F(OwnMesh, Synthesize) {
 
 /// FE is asked where no effect explains the data, as those of an FE ball.
 TEST_F(OwnMesh, Diagnose) {
+  // The truth is of a mesh graded to its contact: eighty even cells stay too far from it at 5 m/s
+  // for the stand-in to come nearer than the lumped model does.
+  const int own_cells =
+      made({"--diameter", "66.2 mm", "--cells", "200", "--unstructured"}, "own.msh");
   std::string experiment = replaced(fem_file, "[impact]\nspeed = \"15 m/s\"\n", "");
   experiment =
       replaced(experiment, "cells = 60", "cells = 300") + "[instrument]\nforce_noise = \"2 N\"\n";
@@ -131,8 +135,8 @@ TEST_F(OwnMesh, Diagnose) {
   const auto json = json_of(
       {"diagnose", "x/data", "--model", "believed.toml", "--mesh", "own.msh", "--out", "d"});
   ASSERT_TRUE(json["fem_cells"].is_array()) << json.dump(1);
-  EXPECT_EQ(json["fem_cells"][0], own_cells_);
-  EXPECT_EQ(json["fem_cells"][1], 4 * own_cells_);
+  EXPECT_EQ(json["fem_cells"][0], own_cells);
+  EXPECT_EQ(json["fem_cells"][1], 4 * own_cells);
   expect_refused({"diagnose", "x/data", "--model", "believed.toml", "--mesh", "other.msh"});
 }
 

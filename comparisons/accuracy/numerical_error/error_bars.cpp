@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace rebound {
 namespace {
@@ -11,6 +12,23 @@ std::string verdict(const ReferenceImpact& reference) {
   const auto beyond = beyond_reference_limit(reference);
   return (beyond.empty() ? "A reference: " : "Not a reference: ") + words_of_reference(beyond) +
          ".";
+}
+
+/// What the other form of the branches would change, beside the bars, for restitution and force.
+std::string words_of_model_form(const ReferenceImpact& reference) {
+  std::vector<std::string> parts;
+  const auto& scalars = scalars_with_error();
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    const std::string_view key = scalars[i].key;
+    if (key != "restitution" && key != "peak_force_N") continue;
+    const double change = reference.model_form->difference[i];
+    parts.push_back(fmt::format("{} by {:+.3g}, {:.2g} half widths", key, change,
+                                std::abs(change) / reference.errors[i].uncertainty));
+  }
+  return fmt::format(
+      "Model form: relaxation = \"{}\" would move {}. No bar holds that: the two laws agree at "
+      "small strain, and data alone can choose.",
+      name_of(reference.model_form->other), fmt::join(parts, ", "));
 }
 
 report::Table bars(const ReferenceImpact& reference) {
@@ -53,14 +71,18 @@ report::Table bars(const ReferenceImpact& reference) {
 
 report::Section error_bars(const ReferenceImpact& reference) {
   const FamilyMember& coarse = reference.family.front();
-  return {.title = "Is it a reference?",
-          .blocks = {
-              report::Paragraph{verdict(reference)},
-              report::Paragraph{fmt::format(
-                  "From {} runs, {} to {} cells, half the step, speeds within 10 %. Bars say what "
-                  "cells and step do, not whether the material is right.",
-                  reference.family.size(), coarse.cells, reference.result.cells)},
-              bars(reference)}};
+  report::Section section{
+      .title = "Is it a reference?",
+      .blocks = {
+          report::Paragraph{verdict(reference)},
+          report::Paragraph{fmt::format(
+              "From {} runs, {} to {} cells, half the step, speeds within 10 %. Bars say what "
+              "cells and step do, not whether the material is right.",
+              reference.family.size(), coarse.cells, reference.result.cells)},
+          bars(reference)}};
+  if (reference.model_form)
+    section.blocks.push_back(report::Paragraph{words_of_model_form(reference)});
+  return section;
 }
 
 }  // namespace rebound

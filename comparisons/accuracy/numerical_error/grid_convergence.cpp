@@ -6,7 +6,7 @@
 namespace rebound {
 
 GridError grid_convergence(const GridTriple& values) {
-  constexpr double safety = 1.25, lowest_order = 0.5, highest_order = 2.0;
+  constexpr double safety = 1.25, lowest_order = 0.5, highest_order = 2.0, largest_observed = 3.0;
   const double first = values.medium - values.coarse;
   const double second = values.fine - values.medium;
   GridError error;
@@ -14,7 +14,7 @@ GridError grid_convergence(const GridTriple& values) {
   if (first * second <= 0.0 || std::abs(second) >= std::abs(first)) return error;
   const double order = std::log2(first / second);
   error.observed_order = order;
-  if (order < lowest_order - 1e-9) return error;
+  if (order < lowest_order - 1e-9 || order > largest_observed) return error;
   error.basis = ErrorBasis::grid_convergence;
   error.uncertainty = safety * std::abs(second) / (std::exp2(std::min(order, highest_order)) - 1.0);
   return error;

@@ -26,11 +26,12 @@ struct GridError {
 /// Uncertainty of the value on the finest of three meshes.
 ///
 ///   d₁ = medium − coarse,  d₂ = fine − medium,  p = log₂(d₁/d₂)
-///   monotone, p ≥ ½:   U = 1.25 |d₂| / (2^min(p,2) − 1)      grid-convergence index
-///   otherwise:         U = max(|d₂|, |d₁|/4)                 spread
+///   monotone, ½ ≤ p ≤ 3:   U = 1.25 |d₂| / (2^min(p,2) − 1)      grid-convergence index
+///   otherwise:             U = max(|d₂|, |d₁|/4)                 spread
 ///
 /// The order is not believed above 2, that of the cells: a large p is a small
-/// d₂ by accident. A medium mesh that happens to agree with the fine one is
+/// d₂ by accident, and above 3 the meshes are not where steps shrink at any order:
+/// nothing is extrapolated from them. A medium mesh that happens to agree with the fine one is
 /// not believed either: the spread keeps a quarter of the coarse step, as if
 /// it had shrunk at second order.
 ///

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -61,23 +62,41 @@ FemProblem varied(FemProblem problem, double speed_factor, double step_factor) {
   return problem;
 }
 
-/// Root mean square of the scatter of five neighbouring samples of the force,
-/// within a twentieth of the contact time of its peak: the front's ripple
-/// there, in the bins of the trace.
-double ripple_at_peak(const Trace& trace, double contact_time) {
-  const std::vector<double>& force = trace.force;
-  const long peak = std::max_element(force.begin(), force.end()) - force.begin();
-  const double spacing = trace.time[1] - trace.time[0];
-  const long reach = std::max(3L, std::lround(0.05 * contact_time / spacing));
-  const long from = std::max(2L, peak - reach);
-  const long to = std::min(static_cast<long>(force.size()) - 3, peak + reach);
+/// Root mean square of what the window means of two meshes differ by, within a twentieth of the
+/// contact time of the peak: the front's ripple, which waves that cross the ball are no part of.
+double ripple_at_peak(const FemResult& fine, const FemResult& medium) {
+  const std::vector<double>&a = fine.window_force, &b = medium.window_force;
+  const auto peak = static_cast<std::size_t>(std::max_element(a.begin(), a.end()) - a.begin());
+  const double spacing = 0.25 * fine.force_averaging_window;
+  const auto reach = static_cast<std::size_t>(0.05 * fine.scalars.contact_time / spacing) + 1;
+  const std::size_t from = peak - std::min(peak, reach);
+  const std::size_t to = std::min({a.size(), b.size(), peak + reach + 1});
   double square = 0.0;
-  for (long i = from; i <= to; ++i) {
-    const double scatter =
-        scatter_about_parabola({force[i - 2], force[i - 1], force[i], force[i + 1], force[i + 2]});
-    square += scatter * scatter;
-  }
-  return from <= to ? std::sqrt(square / static_cast<double>(to - from + 1)) : 0.0;
+  for (std::size_t i = from; i < to; ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  return from < to ? std::sqrt(square / static_cast<double>(to - from)) : 0.0;
+}
+
+bool has_two_forms(const FemProblem& problem) {
+  const auto& branches = problem.material.branches;
+  return problem.scheme == FemScheme::explicit_steps && !branches.empty() &&
+         std::all_of(branches.begin(), branches.end(),
+                     [](const PronyBranch& branch) { return branch.rate_exponent == 1.0; });
+}
+
+FemProblem in_other_form(FemProblem problem) {
+  Relaxation& relaxation = problem.material.relaxation;
+  relaxation =
+      relaxation == Relaxation::convolution ? Relaxation::multiplicative : Relaxation::convolution;
+  return varied(std::move(problem), 1.0, 1.0);
+}
+
+std::optional<ModelForm> model_form_of(const FemResult& other, const FemResult& middle,
+                                       Relaxation relaxation) {
+  if (!other.incomplete_because.empty()) return std::nullopt;
+  ModelForm form{.other = relaxation, .difference = {}};
+  for (const ScalarOfResult& scalar : scalars_with_error())
+    form.difference.push_back(scalar.value(other) - scalar.value(middle));
+  return form;
 }
 
 struct Members {
@@ -94,10 +113,19 @@ ScalarError error_of(const ScalarOfResult& scalar, const Members& members, const
   error.step = 4.0 / 3.0 * std::abs(scalar.value(members.halved) - middle);
   error.scatter = 2.0 * scatter_about_parabola(by_speed);
   if (std::string_view(scalar.key) == "peak_force_N")
-    error.scatter =
-        std::hypot(error.scatter, 2.0 * ripple_at_peak(fine.trace, fine.scalars.contact_time));
+    error.scatter = std::hypot(error.scatter, ripple_at_peak(fine, members.speeds[2]));
   error.uncertainty = std::hypot(error.meshes.uncertainty, error.step, error.scatter);
   return error;
+}
+
+/// Vertices of the plate's side of `mesh` within the contact radius.
+int count_contact_nodes(const Mesh& mesh, double contact_radius) {
+  std::set<int> inside;
+  for (const auto& edge : mesh.contact_edges)
+    for (const int vertex : edge)
+      if (mesh.vertices[static_cast<std::size_t>(vertex)][0] <= contact_radius)
+        inside.insert(vertex);
+  return static_cast<int>(inside.size());
 }
 
 }  // namespace
@@ -107,10 +135,13 @@ const std::vector<ScalarOfResult>& scalars_with_error() {
       {"restitution", [](const FemResult& r) { return r.scalars.restitution; }},
       {"contact_time_s", [](const FemResult& r) { return r.scalars.contact_time; }},
       {"contact_time_1pct_s", [](const FemResult& r) { return r.scalars.contact_time_1pct; }},
+      {"contact_time_tail_s", [](const FemResult& r) { return r.contact_time_tail; }},
       {"peak_force_N", [](const FemResult& r) { return r.scalars.peak_force; }},
       {"peak_deflection_m", [](const FemResult& r) { return r.scalars.peak_deflection; }},
       {"mean_deflection_m", [](const FemResult& r) { return r.scalars.mean_deflection; }},
       {"rebound_speed_m_s", [](const FemResult& r) { return r.scalars.rebound_speed; }},
+      {"kinetic_energy_loss_share",
+       [](const FemResult& r) { return kinetic_energy_loss_share(r.scalars); }},
       {"restitution_momentum", [](const FemResult& r) { return r.restitution_momentum; }},
       {"contact_radius_peak_m", [](const FemResult& r) { return r.contact_radius_peak; }},
       {"vibrational_energy_share", [](const FemResult& r) { return r.vibrational_energy_share; }},
@@ -120,10 +151,11 @@ const std::vector<ScalarOfResult>& scalars_with_error() {
 
 std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference) {
   std::vector<std::string> beyond;
+  if (reference.contact_nodes < fewest_contact_nodes) beyond.emplace_back(contact_nodes_key);
   const auto& scalars = scalars_with_error();
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     const std::string_view key = scalars[i].key;
-    if (key != "peak_force_N" && key != "peak_deflection_m" && key != "contact_time_s" &&
+    if (key != "peak_force_N" && key != "peak_deflection_m" && key != "contact_time_tail_s" &&
         key != "restitution")
       continue;
     const double value = std::abs(scalars[i].value(reference.result));
@@ -132,9 +164,16 @@ std::vector<std::string> beyond_reference_limit(const ReferenceImpact& reference
   return beyond;
 }
 
-std::string words_of_reference(const std::vector<std::string>& beyond) {
+std::string words_of_reference(std::vector<std::string> beyond) {
   const std::string limit = fmt::format("known to {:g} %", 100.0 * reference_limit);
-  if (beyond.empty()) return "peak force, peak deflection, contact time and restitution " + limit;
+  if (std::erase(beyond, contact_nodes_key) != 0) {
+    const std::string few =
+        fmt::format("fewer than {} nodes in contact on the coarsest mesh", fewest_contact_nodes);
+    return beyond.empty() ? few + "; more cells add some"
+                          : few + ", and " + words_of_reference(beyond);
+  }
+  if (beyond.empty())
+    return "peak force, peak deflection, contact time by its tail and restitution " + limit;
   return fmt::format("{} not {}; more cells narrow most bars", fmt::join(beyond, ", "), limit);
 }
 
@@ -149,6 +188,9 @@ ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, co
   for (int i = 0; i < 5; ++i)
     runs.push_back({middle, varied(problem, 1.0 + nearby * (i - 2), 1.0)});
   runs.push_back({middle, varied(problem, 1.0, 0.5)});
+  const bool two_forms = has_two_forms(problem);
+  const std::size_t other_form = runs.size();
+  if (two_forms) runs.push_back({middle, in_other_form(problem)});
   runs.push_back({body(refined_mesh(medium, radius)), problem});
   // The fine mesh takes about as long as all others together, so it begins first.
   std::vector<FemResult> results(runs.size());
@@ -157,7 +199,7 @@ ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, co
     const bool fine = k == 0;
     results[i] = runs[i].body->simulate(
         runs[i].problem, fine ? control : RunControl{.interrupted = control.interrupted});
-    require_complete(results[i], control);
+    if (!(two_forms && i == other_form)) require_complete(results[i], control);
   });
 
   ReferenceImpact reference;
@@ -166,8 +208,12 @@ ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, co
                                 runs[i].problem.controls.step_safety, results[i].steps,
                                 results[i].wall_seconds});
   reference.result = std::move(results.back());
+  reference.contact_nodes = count_contact_nodes(coarse, reference.result.contact_radius_peak);
   Members members{.small = std::move(results[0]), .halved = std::move(results[6])};
   std::move(results.begin() + 1, results.begin() + 6, members.speeds.begin());
+  if (two_forms)
+    reference.model_form = model_form_of(results[other_form], members.speeds[2],
+                                         runs[other_form].problem.material.relaxation);
   for (const ScalarOfResult& scalar : scalars_with_error())
     reference.errors.push_back(error_of(scalar, members, reference.result));
   add_band(reference.result.trace, members.speeds[2].trace, reference.result.scalars.contact_time);

@@ -15,7 +15,16 @@ Json to_json(const ReferenceImpact& reference) {
         {"step", error.step},
         {"scatter", error.scatter}};
   }
-  json["reference"] = {{"limit", reference_limit}, {"beyond", beyond_reference_limit(reference)}};
+  json["reference"] = {{"limit", reference_limit},
+                       {"beyond", beyond_reference_limit(reference)},
+                       {"contact_nodes", reference.contact_nodes}};
+  json["model_form"] = nullptr;
+  if (reference.model_form) {
+    json["model_form"] = {{"relaxation", name_of(reference.model_form->other)}};
+    for (std::size_t i = 0; i < reference.errors.size(); ++i)
+      json["model_form"]["difference"][reference.errors[i].key] =
+          reference.model_form->difference[i];
+  }
   json["family"] = Json::array();
   for (const FamilyMember& member : reference.family)
     json["family"].push_back({{"cells", member.cells},

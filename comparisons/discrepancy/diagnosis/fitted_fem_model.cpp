@@ -97,7 +97,6 @@ class FemHistories {
   std::map<std::pair<double, double>, std::vector<FemResult>> done_;
 };
 
-/// Hertz from the lumped peak, less what the branch adds.
 FemProblem first_guess(const Sphere& sphere, const ImpactScalars& scalars) {
   FemProblem problem;
   problem.sphere = sphere;
@@ -113,13 +112,17 @@ FemProblem first_guess(const Sphere& sphere, const ImpactScalars& scalars) {
 
 }  // namespace
 
+FemProblem guess_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
+                           const HypothesisFit& lumped) {
+  if (shots.empty()) throw Error(ExitCode::solver_failed, "no force history to fit an FE model to");
+  return first_guess(seen.balls[seen.shots[shots.front()].ball].sphere,
+                     lumped.model->impact(lumped.values, shots.front()).scalars);
+}
+
 FemProblem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
                          const HypothesisFit& lumped, const Mesh& mesh, const RunControl& control) {
-  if (shots.empty()) throw Error(ExitCode::solver_failed, "no force history to fit an FE model to");
-  const Sphere& sphere = seen.balls[seen.shots[shots.front()].ball].sphere;
-  FemHistories fem_fit(seen, shots, fem_runner(mesh, sphere, control));
-  FemProblem problem =
-      first_guess(sphere, lumped.model->impact(lumped.values, shots.front()).scalars);
+  FemProblem problem = guess_fem_model(seen, shots, lumped);
+  FemHistories fem_fit(seen, shots, fem_runner(mesh, problem.sphere, control));
 
   CalibrationProblem calibration;
   const auto add_logarithm = [&](const char* name, double start) {

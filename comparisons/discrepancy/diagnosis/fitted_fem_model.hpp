@@ -8,6 +8,11 @@
 
 namespace rebound {
 
+/// Where fit_fem_model() starts: Hertz from the lumped peak of the first of `shots`, less what
+/// the branch adds.
+FemProblem guess_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
+                           const HypothesisFit& lumped);
+
 /// FE's own idea of a ball that hides nothing, fitted to the histories of some shots.
 ///
 ///   elastic neo-Hookean sphere, ν = 0.4, one branch far faster than the

@@ -27,11 +27,18 @@ struct MeshPair {
   Mesh coarse, fine;
 };
 
-MeshPair meshes_for(const Sphere& sphere, const OwnMesh& own, const RunControl& control) {
-  FemProblem problem{.sphere = sphere, .cells = coarse_cells, .mesh_file = own.file};
+/// For the smallest contact of `impacts`. The guess's branch has gone by the time of the peak.
+MeshPair meshes_for(FemProblem problem, const std::vector<Impact>& impacts, const OwnMesh& own,
+                    const RunControl& control) {
+  problem.material.branches.clear();
+  problem.impact =
+      *std::min_element(impacts.begin(), impacts.end(),
+                        [](const auto& a, const auto& b) { return a.speed < b.speed; });
+  problem.cells = coarse_cells;
+  problem.mesh_file = own.file;
   Mesh coarse = mesh_for(problem, control);
   if (!own.file.empty()) {
-    Mesh fine = refined_mesh(coarse, sphere.radius());
+    Mesh fine = refined_mesh(coarse, problem.sphere.radius());
     return {std::move(coarse), std::move(fine)};
   }
   problem.cells = fine_cells;
@@ -156,11 +163,11 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     const std::vector<Impact> impacts = impacts_of(all, ball);
     if (impacts.empty()) continue;
-    const MeshPair meshes = meshes_for(all.balls[ball].sphere, own, control);
+    const std::vector<std::size_t> shots = without_repeats(seen, ball, impacts);
+    const MeshPair meshes = meshes_for(guess_fem_model(seen, shots, fit), impacts, own, control);
     gap.cells = {static_cast<int>(meshes.coarse.cells.size()),
                  static_cast<int>(meshes.fine.cells.size())};
-    const FemProblem fem_fit =
-        fit_fem_model(seen, without_repeats(seen, ball, impacts), fit, meshes.fine, control);
+    const FemProblem fem_fit = fit_fem_model(seen, shots, fit, meshes.fine, control);
     const auto fine =
         run_impacts(fem_fit, impacts, fem_runner(meshes.fine, fem_fit.sphere, control));
     const auto coarse =

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
@@ -27,6 +29,10 @@ ImpactSimulator simulator_of(const SynthesisFile& file, const RunControl& contro
     };
   FemProblem stated = file.fem;
   stated.sphere = file.sphere;
+  stated.impact.speed =
+      std::min_element(file.shots.begin(), file.shots.end(), [](const auto& a, const auto& b) {
+        return a.speed < b.speed;
+      })->speed;
   const Mesh mesh = mesh_for(stated, control);
   return [&file, mesh, control](const Sphere& sphere, const Impact& impact) {
     FemProblem problem = file.fem;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumped/problem/scalars.hpp"
+
 namespace rebound {
 namespace {
 
@@ -22,22 +24,36 @@ Json shared_keys(const ImpactScalars& scalars, const Closures& closures, double 
           {"peak_deflection_m", scalars.peak_deflection},
           {"mean_deflection_m", scalars.mean_deflection},
           {"rebound_speed_m_s", scalars.rebound_speed},
+          {"kinetic_energy_loss_share", kinetic_energy_loss_share(scalars)},
           {"separation_rule", name_of(scalars.separation)},
           {"impulse_closure", closures.impulse},
           {"energy_closure", closures.energy},
           {"wall_s", wall_seconds}};
 }
 
+/// What the load cell under a plate reads, by the definitions of the contact force's keys.
+void add_load_cell(Json& json, const Trace& trace) {
+  if (&contact_force(trace) == &trace.force) return;
+  const double peak = refined_peak(trace.time, trace.force);
+  json["load_cell"] = {{"peak_force_N", peak},
+                       {"contact_time_1pct_s", time_above(trace, 0.01 * peak)}};
+}
+
 }  // namespace
 
 Json to_json(const LumpedResult& result) {
-  return shared_keys(result.scalars, result.closures, result.wall_seconds);
+  Json json = shared_keys(result.scalars, result.closures, result.wall_seconds);
+  add_load_cell(json, result.trace);
+  return json;
 }
 
 Json to_json(const FemResult& result) {
   if (!result.incomplete_because.empty())
     throw Error(ExitCode::solver_failed, result.incomplete_because);
   Json json = shared_keys(result.scalars, result.closures, result.wall_seconds);
+  add_load_cell(json, result.trace);
+  json["contact_time_tail_s"] = result.contact_time_tail;
+  json["force_averaging_window_s"] = result.force_averaging_window;
   json["setup_s"] = result.setup_seconds;
   json["restitution_momentum"] = result.restitution_momentum;
   json["cells"] = result.cells;

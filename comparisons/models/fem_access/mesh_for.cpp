@@ -8,6 +8,8 @@
 
 #include "comparisons/models/fem_access/memory_needed.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
+#include "fem/interface/check_problem.hpp"
+#include "fem/interface/engineering_moduli.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 #include "meshes/quality/mesh_quality.hpp"
@@ -37,6 +39,16 @@ void check_size(const Sphere& sphere, SpherePart part, const Mesh& mesh, const s
   check("height", highest, (half ? 0.5 : 1.0) * sphere.diameter, "m");
 }
 
+/// Of the stiffest layer before anything has relaxed: the smallest contact there can be.
+double contact_over_radius(const FemProblem& problem) {
+  fem::Moduli stiffest = fem::instantaneous_moduli(problem.material);
+  double factor = 1.0;
+  for (const RadialLayer& layer : problem.material.layers)
+    factor = std::max(factor, layer.modulus_factor);
+  stiffest = {.shear = factor * stiffest.shear, .bulk = factor * stiffest.bulk};
+  return fem::expected_contact_radius(problem, stiffest) / problem.sphere.radius();
+}
+
 Mesh own_mesh(const Sphere& sphere, SpherePart part, const std::string& file, int cells,
               const RunControl& control) {
   Mesh mesh = gmsh_module().read(file, cells, {.interrupted = control.interrupted, .progress = {}});
@@ -54,7 +66,10 @@ Mesh mesh_for(const FemProblem& problem, const RunControl& control, int copies) 
     return mesh;
   }
   check_memory(problem, copies * problem.cells);
-  return generate_sphere_mesh({.radius = problem.sphere.radius(), .cells = problem.cells});
+  return generate_sphere_mesh(
+      {.radius = problem.sphere.radius(),
+       .cells = problem.cells,
+       .grading = grading_for_contact(problem.cells, contact_over_radius(problem))});
 }
 
 Mesh mesh_for(const CompressionProblem& problem, const RunControl& control) {

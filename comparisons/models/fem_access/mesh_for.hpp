@@ -10,8 +10,11 @@
 namespace rebound {
 
 /// The mesh of an impact, for every command: the user's own file, or the mapped sphere of about
-/// `problem.cells`. `copies` times its cells have to fit into the memory.
+/// `problem.cells`, graded by the contact radius of Hertz at the problem's speed and material
+/// (grading_for_contact). `copies` times its cells have to fit into the memory.
 ///
+/// Several speeds on one mesh: the lowest has the smallest contact, so that is the one to ask with.
+/// Limit:  eight vertices and more in the contact -> test MeshForTest.ResolvesTheContact
 /// Errors: Error(bad_input), before anything is allocated, for cells beyond the memory; for a file
 /// that is
 ///         not read, whose body of revolution is not within 5 % of the sphere's volume and height

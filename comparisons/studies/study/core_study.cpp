@@ -76,13 +76,18 @@ std::vector<FreeMaterialNumber> free_numbers(const StudyFem& fem) {
   return free;
 }
 
-FemRunner runner_on(const Sphere& sphere, int cells, const RunControl& control) {
-  const FemProblem any{.sphere = sphere, .cells = cells};
-  return fem_runner(mesh_for(any, control), sphere, control);
+/// For the contact at the lowest speed of the core's shots.
+FemRunner runner_on(FemProblem problem, const CoreStudy& core, int cells,
+                    const RunControl& control) {
+  problem.cells = cells;
+  problem.impact.speed = core.data.shots.front().impact.speed;
+  for (const auto& shot : core.data.shots)
+    problem.impact.speed = std::min(problem.impact.speed, shot.impact.speed);
+  return fem_runner(mesh_for(problem, control), core.data.sphere, control);
 }
 
 void fit_material(const StudyFem& fem, CoreStudy& core, const RunControl& control) {
-  const FemRunner run = runner_on(core.data.sphere, fem.calibration_cells, control);
+  const FemRunner run = runner_on(start_problem(fem, core), core, fem.calibration_cells, control);
   // A typical fit: eight iterations, each the point and two differences per unknown.
   const double expected = 8.0 * (1.0 + 2.0 * static_cast<double>(free_numbers(fem).size())) *
                           static_cast<double>(core.data.shots.size());
@@ -108,7 +113,7 @@ void run_references(const StudyFem& fem, CoreStudy& core, const RunControl& cont
   const auto run_on = [&](int cells, int shape_frames) {
     problem.cells = cells;
     problem.controls.shape_frames = shape_frames;
-    auto results = run_impacts(problem, impacts, runner_on(core.data.sphere, cells, control));
+    auto results = run_impacts(problem, impacts, runner_on(problem, core, cells, control));
     for (const auto& result : results)
       if (!result.incomplete_because.empty())
         throw Error(ExitCode::solver_failed,

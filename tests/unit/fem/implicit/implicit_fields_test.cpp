@@ -76,8 +76,9 @@ TEST(ImplicitFieldsTest, DensitiesSumUpToTheEnergyBalance) {
       if (std::abs(shown().result.trace.time[k] - frame.time) > 1e-12) continue;
       const EnergyBalance& balance = shown().result.energies[k];
       EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), balance.stored, 1e-6 * brought);
-      EXPECT_NEAR(integral(frame, "dissipated_or_held_energy_J_m3"), balance.branches,
-                  1e-6 * brought);
+      // Two sums over steps, by S:dE and by branches: apart to second order in the step.
+      EXPECT_NEAR(integral(frame, "dissipated_or_held_energy_J_m3"),
+                  balance.held + balance.dissipated, 2e-4 * brought);
       ++compared;
     }
   EXPECT_GE(compared, 15);

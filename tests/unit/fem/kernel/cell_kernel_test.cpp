@@ -183,6 +183,7 @@ TEST(CellKernelTest, StepStrainRelaxesFromInstantaneousToLongTerm) {
 TEST(CellKernelTest, DeviatorBranchLeavesThePressure) {
   const auto body = discretise(test::distorted_cylinder(), 1.0);
   Material material = test::unit_material(ElasticModel::neo_hookean_isochoric);
+  material.poisson_ratio = 0.3;  // 0.41 once relaxed
   KernelCase elastic(body, material, baseline());
   material.branches = {{0.6, 0.5, Relaxes::deviator}};
   KernelCase relaxing(body, material, baseline(), 0.1);

@@ -297,6 +297,26 @@ TEST(StrainFactorTest, NothingAtRestAndOnFirstLoading) {
   EXPECT_NEAR(factor_at(factor(0, 0, 0, 0.5), w, 0.4).value, 1.0 - 0.5 * (1.0 - 0.5), 1e-15);
 }
 
+TEST(StrainFactorTest, WorkIsStoredAndSoftened) {
+  // ∫ f dW over loading, unloading, farther loading and release.
+  for (const auto& k : {factor(0, 0, 0, 0.5), factor(2, 0.4, 30, 0.7), factor(1, 0, 0, 0)}) {
+    double work = 0.0, largest = 0.0, before = 0.0, force = 1.0;
+    const double ends[] = {0.0, 0.3, 0.05, 0.5, 0.0};
+    for (int leg = 0; leg < 4; ++leg)
+      for (int i = 1; i <= 20000; ++i) {
+        const double strain = ends[leg] + (ends[leg + 1] - ends[leg]) * i / 20000.0;
+        const double w = 0.5 * 2.8 * strain * strain;
+        const auto at = factor_at(k, w, largest);
+        work += 0.5 * (force + at.value) * (w - before);
+        largest = at.largest_strain;
+        force = at.value;
+        before = w;
+        if (i % 5000 != 0) continue;
+        EXPECT_NEAR(work, factored_energy(k, at) + softened_energy(k, at), 1e-7) << leg << i;
+      }
+  }
+}
+
 /// −∂Ψ/∂ε_m ≥ 0: what is softened is lost.
 TEST(StrainFactorTest, SofteningDissipates) {
   test::Random random(66);

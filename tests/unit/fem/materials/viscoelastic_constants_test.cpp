@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/interface/check_material.hpp"
 #include "fem/interface/elastic_models.hpp"
+#include "fem/interface/engineering_moduli.hpp"
+#include "tests/support/fem_cases.hpp"
 #include "tests/support/refusals.hpp"
 
 namespace rebound::fem {
@@ -139,6 +142,37 @@ TEST(ViscoelasticConstantsTest, RefusesTermsThatAreOutOfRange) {
     mooney.second_share = value;
     EXPECT_EQ(key_refused(mooney), "model.material.second_share") << value;
   }
+}
+
+TEST(ViscoelasticConstantsTest, BothEndsOfRelaxationAreHeldToThePoissonRatio) {
+  // Instantaneous 0.4 with a deviatoric share of 0.9 is 0.4894 once relaxed.
+  Material material = test::unit_material();
+  material.branches = {{.ratio = 0.9, .relaxation_time = 1e-3, .relaxes = Relaxes::deviator}};
+  const Error error = testing::refusal_of([&] { check(material); });
+  EXPECT_EQ(error.code(), ExitCode::bad_input);
+  EXPECT_NE(std::string(error.what()).find("long-term Poisson ratio is 0.489"), std::string::npos)
+      << error.what();
+  EXPECT_TRUE(error.location().key.ends_with("poisson_ratio"));
+  EXPECT_NEAR(poisson_ratio(long_term_moduli(material)), 0.48937, 1e-5);
+  // Half of it is 0.4483, and a branch that relaxes all keeps 0.4.
+  material.branches.front().ratio = 0.5;
+  EXPECT_NO_THROW(check(material));
+  material.branches.front() = {.ratio = 0.9, .relaxation_time = 1e-3, .relaxes = Relaxes::all};
+  EXPECT_NO_THROW(check(material));
+  EXPECT_NEAR(poisson_ratio(long_term_moduli(material)), 0.4, 1e-12);
+}
+
+TEST(ViscoelasticConstantsTest, BothEndsAreThoseOfTheOtherBasis) {
+  Material fresh = test::unit_material();
+  fresh.poisson_ratio = 0.3;
+  fresh.branches = {{.ratio = 0.3, .relaxation_time = 1e-3, .relaxes = Relaxes::deviator},
+                    {.ratio = 0.2, .relaxation_time = 1e-2, .relaxes = Relaxes::all}};
+  const Moduli relaxed = long_term_moduli(fresh);
+  EXPECT_NEAR(relaxed.shear / given_moduli(fresh).shear, 0.5, 1e-12);
+  EXPECT_NEAR(relaxed.bulk / given_moduli(fresh).bulk, 0.8, 1e-12);
+  Material old = fresh;
+  old.modulus = ModulusBasis::long_term;
+  EXPECT_EQ(long_term_moduli(old).shear, given_moduli(old).shear);
 }
 
 }  // namespace

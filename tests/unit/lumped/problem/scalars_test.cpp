@@ -49,6 +49,28 @@ TEST(ScalarsTest, OnePerCentOfThePeakIsTheThreshold) {
   EXPECT_NEAR(scalars.contact_time_1pct, 1.0 - 2.0 * std::asin(0.01) / std::numbers::pi, 1e-7);
 }
 
+TEST(ScalarsTest, AreOfTheContactForce) {
+  // A load cell that rings on with a third of the peak after the ball has left.
+  Trace trace = half_sine(1000), measured = trace;
+  for (int i = 0; i < 200; ++i) {
+    trace.time.push_back(1.0 + 0.001 * (i + 1));
+    trace.force.push_back(0.0);
+    trace.deflection.push_back(1.0);
+  }
+  measured = trace;
+  measured.further = {{contact_force_column, trace.force}};
+  for (std::size_t i = 0; i < measured.force.size(); ++i)
+    measured.force[i] += 0.3 * std::sin(40.0 * measured.time[i]);
+  const ImpactScalars expected = derive_scalars(trace, {.speed = 2.0}, 1.0, 1.0);
+  const ImpactScalars found = derive_scalars(measured, {.speed = 2.0}, 1.0, 1.0);
+  EXPECT_EQ(found.contact_time_1pct, expected.contact_time_1pct);
+  EXPECT_EQ(found.peak_force, expected.peak_force);
+  EXPECT_GT(time_above(measured, 0.01), 1.1);
+  measured.further.front().values.pop_back();
+  EXPECT_EQ(testing::refusal_of([&] { derive_scalars(measured, {.speed = 1.0}, 1.0, 0.5); }).code(),
+            ExitCode::bad_input);
+}
+
 TEST(ScalarsTest, RefusesUnequalColumns) {
   Trace trace = half_sine(10);
   trace.force.pop_back();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "meshes/quality/check_mesh.hpp"
 #include "meshes/quality/mesh_quality.hpp"
@@ -121,6 +122,33 @@ TEST(SphereMeshTest, CellsAreGradedToTheContact) {
   const Mesh graded = generate_sphere_mesh({.radius = radius, .cells = 1000, .grading = 8.0});
   EXPECT_LT(measure_quality(graded).contact_edge_length,
             0.5 * measure_quality(even).contact_edge_length);
+}
+
+int vertices_within(const Mesh& mesh, double contact_radius) {
+  std::set<int> inside;
+  for (const auto& edge : mesh.contact_edges)
+    for (const int vertex : edge)
+      if (mesh.vertices[vertex][0] <= contact_radius) inside.insert(vertex);
+  return static_cast<int>(inside.size());
+}
+
+TEST(SphereMeshTest, EightVerticesInTheContact) {
+  for (const int cells : {250, 1000, 4000})
+    for (const double contact : {0.06, 0.12, 0.3, 0.6}) {
+      const double grading = grading_for_contact(cells, contact);
+      const Mesh mesh =
+          generate_sphere_mesh({.radius = radius, .cells = cells, .grading = grading});
+      // Nine with the pole; the last may miss the radius by rounding.
+      EXPECT_GE(vertices_within(mesh, contact * radius), 8) << cells << " " << contact;
+      EXPECT_GE(grading, 1.5);
+      EXPECT_LE(grading, 200.0);
+    }
+  EXPECT_EQ(grading_for_contact(250, 0.001), 200.0);
+  for (const double none : {0.0, -1.0, 1.5, nan}) EXPECT_EQ(grading_for_contact(250, none), 1.5);
+}
+
+TEST(SphereMeshTest, AContactOfAThirdOfTheRadiusKeepsTheDefaultGrading) {
+  for (const int cells : {1000, 4000}) EXPECT_EQ(grading_for_contact(cells, 0.345), 1.5);
 }
 
 TEST(SphereMeshTest, SameRequestSameMesh) {

@@ -30,9 +30,17 @@ TEST(GridConvergenceTest, CoversTheLimitOfAnyPowerUpToTheCells) {
 }
 
 TEST(GridConvergenceTest, AnOrderAboveTheCellsIsNotBelieved) {
+  const GridError error = grid_convergence({1.0, 1.006, 1.007});
+  EXPECT_NEAR(error.observed_order.value(), std::log2(6.0), 1e-9);
+  EXPECT_EQ(error.basis, ErrorBasis::grid_convergence);
+  EXPECT_NEAR(error.uncertainty, 1.25 * 0.001 / 3.0, 1e-12);
+}
+
+TEST(GridConvergenceTest, NothingIsExtrapolatedAboveThirdOrder) {
   const GridError error = grid_convergence({1.0, 1.064, 1.065});
   EXPECT_NEAR(error.observed_order.value(), 6.0, 1e-9);
-  EXPECT_NEAR(error.uncertainty, 1.25 * 0.001 / 3.0, 1e-12);
+  EXPECT_EQ(error.basis, ErrorBasis::spread);
+  EXPECT_NEAR(error.uncertainty, 0.016, 1e-12);
 }
 
 TEST(GridConvergenceTest, WhereStepsDoNotShrinkTheSpreadCounts) {

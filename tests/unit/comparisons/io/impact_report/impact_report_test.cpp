@@ -67,7 +67,8 @@ TEST(ImpactReportTest, EveryChannelOfTheEnergyHasALineOfItsOwn) {
   result.energies[1] = {.kinetic_centre_of_mass = 1,
                         .kinetic_vibration = 2,
                         .stored = 3,
-                        .branches = 4,
+                        .held = 4,
+                        .dissipated = 12,
                         .contact_constraint = 5,
                         .friction = 6,
                         .adhesion = 7,
@@ -78,10 +79,10 @@ TEST(ImpactReportTest, EveryChannelOfTheEnergyHasALineOfItsOwn) {
   const report::Report page = impact_report(some_problem(), result);
   EXPECT_NO_THROW(report::check_report(page));
   const auto lines = all<report::Figure>(page)[2].series;
-  ASSERT_EQ(lines.size(), 11u);
+  ASSERT_EQ(lines.size(), 12u);
   double sum = 0.0;
   for (const auto& line : lines) sum += line.y[1];
-  EXPECT_EQ(sum, 66.0);
+  EXPECT_EQ(sum, 78.0);
 }
 
 TEST(ImpactReportTest, DrawsErrorBarsAsABandAndTheLoadCellBesideTheContact) {
@@ -96,7 +97,7 @@ TEST(ImpactReportTest, DrawsErrorBarsAsABandAndTheLoadCellBesideTheContact) {
 }
 
 TEST(ImpactReportTest, SaysWhetherItIsAReference) {
-  ReferenceImpact reference{.result = some_result(), .family = {{.cells = 60}}};
+  ReferenceImpact reference{.result = some_result(), .family = {{.cells = 60}}, .contact_nodes = 9};
   for (const ScalarOfResult& scalar : scalars_with_error())
     reference.errors.push_back({.key = scalar.key,
                                 .uncertainty = 0.002 * scalar.value(reference.result),

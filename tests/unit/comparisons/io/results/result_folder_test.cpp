@@ -21,7 +21,7 @@ FemResult small_fem_result() {
   FemResult result;
   result.trace = small_trace();
   result.trace.further = {{"pole_deflection_m", {0.0, 1.0, 0.0}}};
-  result.energies = {{.kinetic_centre_of_mass = 1.0}, {.stored = 0.5}, {.branches = 0.25}};
+  result.energies = {{.kinetic_centre_of_mass = 1.0}, {.stored = 0.5}, {.held = 0.25}};
   result.scalars.restitution = 0.5;
   return result;
 }
@@ -42,8 +42,8 @@ TEST(TraceCsvTest, EnergiesFollowTheFurtherColumns) {
   const std::string text = trace_csv(result.trace, result.energies);
   EXPECT_TRUE(
       text.starts_with("time_s,force_N,deflection_m,pole_deflection_m,"
-                       "kinetic_centre_of_mass_J,kinetic_vibration_J,stored_J,branches_J,"
-                       "contact_constraint_J\n0,0,0,0,1,0,0,0,0\n"))
+                       "kinetic_centre_of_mass_J,kinetic_vibration_J,stored_J,held_J,dissipated_J,"
+                       "contact_constraint_J\n0,0,0,0,1,0,0,0,0,0\n"))
       << text;
   EXPECT_THROW(trace_csv(result.trace, {}), Error);
 }
