@@ -39,7 +39,8 @@ LeftOut predicted(const Candidate& candidate, const std::vector<MeasuredImpact>&
     const LumpedModel model = calibrate(candidate.request, others, options, control).model;
     double square = 0.0;
     if (options.observable == Observable::scalars) {
-      const auto residuals = ScalarResiduals(held)([&](std::size_t) { return model; });
+      const auto residuals =
+          ScalarResiduals(held)([&](std::size_t) -> const LumpedModel& { return model; });
       for (const double residual : residuals) square += residual * residual;
       out.force_rms = std::sqrt(square / static_cast<double>(residuals.size()));
       return out;
