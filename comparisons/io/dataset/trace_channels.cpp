@@ -80,10 +80,11 @@ void keep_around_contact(Trace& trace) {
 void settle_record(const TraceChannels& channels, Trace& trace) {
   if (channels.reversed)
     for (double& force : trace.force) force = -force;
-  const auto [lowest, highest] = std::minmax_element(trace.force.begin(), trace.force.end());
+  const auto extremes = std::minmax_element(trace.force.begin(), trace.force.end());
+  const double lowest = *extremes.first, highest = *extremes.second;
   // Seen from either end, so that an offset is no sign, nor a record that starts or ends in
   // contact.
-  const auto swings_down = [&](double quiet) { return quiet - *lowest > *highest - quiet; };
+  const auto swings_down = [&](double quiet) { return quiet - lowest > highest - quiet; };
   if (swings_down(trace.force.front()) && swings_down(trace.force.back()))
     throw Error(ExitCode::bad_input,
                 "the force is negative where it is largest; a force is positive in compression",
