@@ -70,9 +70,10 @@ class PointLaw {
     Eigen::Vector4d deviatoric, volumetric;
   };
   Parts parts(const Symmetric<double>& right_cauchy_green) const;
-  /// Share of the instantaneous stress at the end of the step that the total has.
+  /// Hyperelastic energy per reference volume of these shares of the instantaneous law [J/m³].
   double energy_of(const Symmetric<double>& right_cauchy_green, double deviatoric_share,
                    double volumetric_share) const;
+  /// Share of the instantaneous stress at the end of the step that the total has.
   struct StressWeights {
     double deviatoric = 0.0, volumetric = 0.0;
   };
