@@ -16,7 +16,7 @@ class CampaignKills : public ProgramTest {
  protected:
   void SetUp() override {
     folder.write("ball.toml", lumped_file);
-    write_campaign(20'000);
+    write_campaign(8'000);
   }
 
   void write_campaign(int count) {
@@ -108,7 +108,7 @@ TEST_F(CampaignKills, TwoAtATimeDoNoHarm) {
 
 TEST_F(CampaignKills, InterruptedItKeepsWhatWasRun) {
   int found = 0;
-  for (int wait = 200; wait < 4000 && found == 0; wait *= 2) {
+  for (int wait = 100; wait < 4000 && found == 0; wait *= 2) {
     const auto outcome =
         rebound({"campaign", "many.toml", "--out", "store"}, {.interrupt_after_ms = wait});
     ASSERT_EQ(outcome.exit_code, 130) << outcome.errors;
