@@ -99,4 +99,14 @@ CompareFile example_comparison() {
   return file;
 }
 
+CampaignFile example_campaign() {
+  CampaignFactor speed;
+  speed.key = "impact.speed";
+  speed.about.unit = "m/s";
+  speed.low = 1.0;
+  speed.high = 30.0;
+  speed.points = 20;
+  return {.base = "lumped.toml", .design = {.factors = {speed}, .known = {}}};
+}
+
 }  // namespace rebound

@@ -6,6 +6,7 @@
 #include "comparisons/inference/calibration/calibration_file.hpp"
 #include "comparisons/inference/selection/selection_file.hpp"
 #include "comparisons/io/dataset/dataset.hpp"
+#include "comparisons/studies/campaign/campaign.hpp"
 #include "fem/interface/compression.hpp"
 #include "fem/interface/fem_problem.hpp"
 #include "lumped/problem/lumped_problem.hpp"
@@ -37,5 +38,8 @@ BenchmarkFile example_benchmark();
 
 /// The two example impacts against each other.
 CompareFile example_comparison();
+
+/// The lumped example at twenty speeds.
+CampaignFile example_campaign();
 
 }  // namespace rebound

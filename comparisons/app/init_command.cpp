@@ -45,6 +45,8 @@ const std::vector<Starter>& starters() {
        [] { return write_toml(example_selection(), Comments::sentences); }},
       {"benchmark.toml", "two laws for `rebound benchmark`, on the same reference",
        [] { return write_toml(example_benchmark(), Comments::sentences); }},
+      {"campaign.toml", "many impacts like lumped.toml for `rebound campaign`",
+       [] { return write_toml(example_campaign(), Comments::sentences); }},
       {"compare.toml", "both tiers against each other for `rebound compare`",
        [] { return write_toml(example_comparison(), Comments::sentences); }},
   };

@@ -17,6 +17,7 @@
 #include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/describe_lumped.hpp"
 #include "comparisons/io/toml/schema_writer.hpp"
+#include "comparisons/studies/campaign/campaign.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
@@ -37,6 +38,7 @@ const std::vector<Format>& formats() {
       {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},
       {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
+      {"campaign", [] { return json_schema<CampaignFile>("Campaign file"); }},
       {"compare", [] { return json_schema<CompareFile>("Compare file"); }},
       {"synthesis", [] { return json_schema<SynthesisFile>("Synthesis file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},

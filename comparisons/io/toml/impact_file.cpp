@@ -78,15 +78,28 @@ void check_density(const Document& document, const Sphere& sphere) {
       "an implied density of 50 to 20000 kg/m^3");
 }
 
-LumpedImpactFile read_lumped_impact(const Document& document) {
-  check_tier(document, "lumped", "fem");
-  LumpedImpactFile file;
-  read_document(document, file);
+LumpedProblem complete_impact(const Document& document, LumpedImpactFile& file) {
   check_density(document, file.problem.sphere);
   check_plate(document);
   document.locating(
       [&] { resolve_parameters(file.problem.model, file.problem.impact, file.problem.sphere); });
-  applied({.problem = file.problem, .effects = physical_effects(file.effects)}, document);
+  return applied({.problem = file.problem, .effects = physical_effects(file.effects)}, document);
+}
+
+FemProblem complete_impact(const Document& document, FemImpactFile& file) {
+  FemProblem& problem = file.problem;
+  check_density(document, problem.sphere);
+  check_plate(document);
+  resolve_mesh(document, problem.mesh_file);
+  check_fem(document, problem);
+  return applied({.problem = problem, .effects = physical_effects(file.effects)}, document);
+}
+
+LumpedImpactFile read_lumped_impact(const Document& document) {
+  check_tier(document, "lumped", "fem");
+  LumpedImpactFile file;
+  read_document(document, file);
+  complete_impact(document, file);
   return file;
 }
 
@@ -94,12 +107,7 @@ FemImpactFile read_fem_impact(const Document& document) {
   check_tier(document, "fem", "lumped");
   FemImpactFile file;
   read_document(document, file);
-  FemProblem& problem = file.problem;
-  check_density(document, problem.sphere);
-  check_plate(document);
-  resolve_mesh(document, problem.mesh_file);
-  check_fem(document, problem);
-  applied({.problem = problem, .effects = physical_effects(file.effects)}, document);
+  complete_impact(document, file);
   return file;
 }
 

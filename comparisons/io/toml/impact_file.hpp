@@ -34,6 +34,12 @@ FemProblem read_fem_problem(const Document& document);
 LumpedImpactFile read_lumped_impact(const Document& document);
 FemImpactFile read_fem_impact(const Document& document);
 
+/// What follows a reading: every check of the above, parameters that follow from others, the mesh's
+/// path; for whoever read a record and changed its numbers. Gives the problem that is solved, with
+/// the effects that act on the impact. Errors: as above, with the place in `document`.
+LumpedProblem complete_impact(const Document& document, LumpedImpactFile& file);
+FemProblem complete_impact(const Document& document, FemImpactFile& file);
+
 /// The problem of a file with the file's effects applied.
 /// Errors: those of apply_effects, with the place in the file.
 LumpedProblem applied(const LumpedImpactFile& file, const Document& document);

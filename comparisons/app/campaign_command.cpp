@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+#include "comparisons/app/commands.hpp"
+#include "comparisons/app/progress_line.hpp"
+#include "comparisons/io/toml/help_writer.hpp"
+#include "comparisons/studies/campaign/campaign_query.hpp"
+#include "comparisons/studies/campaign/run_campaign.hpp"
+#include "lumped/problem/atomic_file.hpp"
+
+namespace rebound {
+namespace {
+
+struct CampaignOptions {
+  std::vector<std::string> what;
+  std::string shard, csv;
+};
+
+std::string campaign_help() {
+  return "campaign FILE runs one impact a member and keeps its scalars in --out DIR (default\n"
+         "results/campaigns/NAME of FILE): SQLite files, one a shard. A member that is there is\n"
+         "not run again, so the same command goes on after a kill, and costs nothing when done.\n"
+         "Several shards, of a job array or of mpirun -n N, share DIR; each writes its own file.\n"
+         "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI.\n"
+         "A member that cannot be run (the contact does not end, the combination is refused) is\n"
+         "kept with the reason. Results of another program than this one are refused, exit 5.\n\n"
+         "  rebound campaign speeds.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
+         "  mpirun -n 8 rebound campaign speeds.toml --threads 1\n"
+         "  rebound campaign query speeds.toml --csv speeds.csv\n\n"
+         "Keys of FILE (TOML):\n" +
+         help_text<CampaignFile>() + "\n" + exit_code_help();
+}
+
+std::filesystem::path store_of(const Session& session, const std::filesystem::path& file) {
+  if (!session.out.empty()) return session.out;
+  return std::filesystem::path("results") / "campaigns" / file.stem();
+}
+
+ExitCode run_query(const Session& session, const CampaignOptions& options) {
+  const std::filesystem::path source = options.what[1];
+  const bool is_file = source.extension() == ".toml";
+  const auto store = is_file ? store_of(session, source) : source;
+  const CampaignTable table =
+      query_campaign(is_file ? Campaign::load(source) : stored_campaign(store), store);
+  if (!options.csv.empty()) write_file_atomically(options.csv, table.csv);
+  if (session.json())
+    fmt::print("{}", dump({{"schema", 1},
+                           {"members", table.members},
+                           {"found", table.found},
+                           {"failed", table.failed},
+                           {"complete", table.found == table.members},
+                           {"csv", options.csv}}));
+  else if (options.csv.empty())
+    fmt::print("{}", table.csv);
+  else
+    fmt::print("{} of {} members, {} without a result, in {}\n", table.found, table.members,
+               table.failed, options.csv);
+  return ExitCode::done;
+}
+
+ExitCode run_all(const Session& session, const CampaignOptions& options) {
+  const std::string& file = options.what.front();
+  const Shard shard = options.shard.empty() ? shard_of_launcher() : parse_shard(options.shard);
+  const Campaign campaign = Campaign::load(file);
+  const auto store = store_of(session, file);
+  make_writable_folder(store);
+  const CampaignProgress done = [&] {
+    ProgressLine progress("campaign");
+    try {
+      return run_campaign(campaign, store, shard, progress.control());
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::interrupted) throw;
+      throw Error(ExitCode::interrupted,
+                  "interrupted; what was run is kept, and the same command goes on with the rest",
+                  {.file = store.string()});
+    }
+  }();
+  if (session.json())
+    fmt::print("{}", dump(to_json(done)));
+  else
+    fmt::print(
+        "shard {}/{}: {} members, {} run now in {:.3g} s, {} found, {} without a result; {}\n",
+        shard.number, shard.of, done.members, done.run, done.elapsed_seconds, done.found,
+        done.failed, done.file.string());
+  return ExitCode::done;
+}
+
+ExitCode run_campaign_command(const Session& session, const CampaignOptions& options) {
+  const bool query = options.what.size() == 2;
+  if (query && options.what.front() != "query")
+    throw Error(ExitCode::bad_input, "one campaign at a time",
+                {.key = "FILE", .value = options.what[1], .allowed = "FILE, or query FILE|STORE"});
+  if (!query && !options.csv.empty())
+    throw Error(
+        ExitCode::bad_input, "a table belongs to a query",
+        {.key = "--csv", .value = options.csv, .allowed = "campaign query FILE|STORE --csv"});
+  return query ? run_query(session, options) : run_all(session, options);
+}
+
+}  // namespace
+
+Action declare_campaign(CLI::App& command) {
+  const auto options = std::make_shared<CampaignOptions>();
+  command.add_option("FILE", options->what, "Campaign file; or query, then a file or a store")
+      ->required()
+      ->expected(1, 2);
+  command.add_option("--shard", options->shard,
+                     "Run one part of the members, i/N; default: the rank of mpirun, else all");
+  command.add_option("--csv", options->csv, "Of a query: where the table goes");
+  command.footer(campaign_help);
+  return [options](const Session& session) { return run_campaign_command(session, *options); };
+}
+
+}  // namespace rebound
