@@ -20,7 +20,7 @@ struct SelectionRules {
   int fitted_singles = 10;            ///< best physical effects that are fitted in full
   int fitted_faults = 6;              ///< best faults of the measurement
   int fitted_pairs = 8;               ///< of sets of two effects and more, per step
-  std::size_t most_effects = 3;       ///< of a set
+  std::size_t most_effects = 4;       ///< of a set
   int bootstrap_draws = 999;          ///< repetitions of the choice; 0: none
   /// Of the repetitions: an effect that is chosen less often carries no name.
   double least_inclusion = 0.75;

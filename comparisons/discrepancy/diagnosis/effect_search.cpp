@@ -89,19 +89,35 @@ bool EffectSearch::sets_of(std::size_t count) {
 }
 
 bool EffectSearch::prune() {
+  bool pruned = false;
+  // Without one effect a set may still hold another that it does not need.
+  for (std::size_t count = rules_.most_effects; count > 2; --count) {
+    const std::vector<Hypothesis> smaller = without_one(count);
+    if (smaller.empty()) continue;
+    pruned = found(fit_all(smaller.size(), [&](std::size_t i) {
+      return fit_hypothesis(seen_, smaller[i], within());
+    }));
+  }
+  return pruned;
+}
+
+/// What is left of the sets of `count` effects that stand, each with one taken out; not what has
+/// been tried.
+std::vector<Hypothesis> EffectSearch::without_one(std::size_t count) const {
   std::vector<Hypothesis> smaller;
+  std::set<EffectNames> known;
   for (const std::size_t i : selection_.indistinguishable) {
     const HypothesisFit& fit = selection_.tried[i].fit;
-    if (added(fit) < 3) continue;  // sets of one have been tried
+    if (added(fit) != count) continue;
     for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
       Hypothesis one = fit.hypothesis;
       one.effects = fit.effects;
       one.effects.erase(one.effects.begin() + static_cast<std::ptrdiff_t>(k));
-      if (!is_tried(names_of(one.effects))) smaller.push_back(std::move(one));
+      const EffectNames names = names_of(one.effects);
+      if (!is_tried(names) && known.insert(names).second) smaller.push_back(std::move(one));
     }
   }
-  return found(fit_all(smaller.size(),
-                       [&](std::size_t i) { return fit_hypothesis(seen_, smaller[i], within()); }));
+  return smaller;
 }
 
 /// How far the χ² of a fit would fall with one effect more: to first order along the effect, or at

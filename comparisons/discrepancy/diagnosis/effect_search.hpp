@@ -39,7 +39,8 @@ class EffectSearch {
   /// residuals.
   bool sets_of(std::size_t count);
 
-  /// Of adequate sets, those with one effect less: a set that needs not all it has is not minimal.
+  /// Of adequate sets, those with one effect less, down to sets of two: a set that needs not all it
+  /// has is not minimal.
   bool prune();
 
  private:
@@ -56,6 +57,7 @@ class EffectSearch {
   static Ranked ranking(const EffectSensitivities& around, double chi_square);
   Ranked best_of_each_kind(const Ranked& ranked) const;
   std::vector<Extension> extensions(std::size_t count) const;
+  std::vector<Hypothesis> without_one(std::size_t count) const;
 
   const HypothesisFit& base() const { return selection_.baseline.fit; }
   std::size_t added(const HypothesisFit& fit) const {

@@ -49,7 +49,7 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
     search.SetParameterUpperBound(y.data(), static_cast<int>(i), p.highest / p.scale);
   }
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = problem.controls.iterations;
   options.function_tolerance = problem.controls.cost_tolerance;
