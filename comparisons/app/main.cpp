@@ -26,10 +26,9 @@ ExitCode with_output_written(ExitCode code) {
 int run(int argc, char** argv) {
   Session session;
   session.command_line.assign(argv, argv + argc);
-  const auto wants_json = [&] {  // known even when the usage was wrong
-    const auto& line = session.command_line;
-    return std::find(line.begin(), line.end(), "--json") != line.end();
-  };
+  const auto& line = session.command_line;  // known even when the usage was wrong
+  const bool wants_json = std::find(line.begin(), line.end(), "--json") != line.end();
+  watch_for_interruption(wants_json ? OutputFormat::json : OutputFormat::text);
   Action action;
   CLI::App app{"Rebound: reference models of a ball hitting a rigid plate, normal impact, no spin.",
                "rebound"};
@@ -46,7 +45,7 @@ int run(int argc, char** argv) {
     const std::string near = nearest_usage(app, session.command_line);
     const std::string message = fmt::format(
         "{} ({})", error.what(), near.empty() ? "`rebound --help` lists what there is" : near);
-    return report_error(Error(ExitCode::bad_input, message), wants_json());
+    return report_error(Error(ExitCode::bad_input, message), wants_json);
   }
   try {
     std::optional<ThreadLimit> limit;
@@ -65,6 +64,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  rebound::watch_for_interruption();
   return run(argc, argv);
 }

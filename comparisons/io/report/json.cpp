@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -44,8 +45,10 @@ json optional_json(const std::optional<Value>& value) {
 std::vector<double> drawn(const std::vector<double>& values) {
   std::vector<double> shown;
   shown.reserve(values.size());
-  for (const double value : values)
-    shown.push_back(std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr));
+  for (const double value : values) {
+    const double rounded = std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+    shown.push_back(std::isfinite(rounded) ? rounded : value);
+  }
   return shown;
 }
 

@@ -18,7 +18,7 @@ std::string headline(const std::vector<CoreStudy>& cores);
 /// to FE and whether FE follows the data, what the diagnosis says and the gap before and after.
 std::string answer(const std::vector<CoreStudy>& cores);
 
-/// What a diagnosed model lacks, in the words that stand behind "the model lacks".
+/// What a diagnosis found, in the words that stand behind "the diagnosis names".
 std::string missing_in_words(const Diagnosis& diagnosis);
 
 /// Does the fitted FE material follow restitution and contact time within their uncertainty?

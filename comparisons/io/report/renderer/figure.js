@@ -29,13 +29,14 @@ function tracesOf(series, figure, faded) {
     });
   }
   const line = series.style === "line";
+  const barred = series.x_error.length + series.y_error.length > 0;
   const many = !line && series.x.length > manyPoints;
   traces.push({
     type: "scatter", mode: line ? "lines" : "markers", name: drawnText(series.name),
     x: series.x, y: series.y, opacity: many ? 0.55 * opacity : opacity,
     line: { color: colour, width: series.reference ? 2.6 : 2, dash: dashOfOrigin[series.origin] },
     marker: {
-      size: many ? 4 : 8, symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
+      size: many ? 4 : barred ? 5 : 8,  // smaller than its bar symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
       color: colour, line: { color: colour, width: many ? 1 : 1.8 },
     },
     error_x: errorBar(series.x_error, colour),

@@ -41,8 +41,8 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
   std::string text;
   if (nearest)
     text = fmt::format(
-        "Of the laws, {} stays nearest to the FE force history, {:.1f} % of the peak force away "
-        "over {} impacts; ",
+        "Of the laws, the one nearest to the FE force history is {}, off by {:.1f} % of the peak "
+        "force over {} impacts; ",
         cores.front().laws[*nearest].label, 100 * least, impacts);
   return text + fmt::format(
                     "the FE material itself follows the measured restitutions and contact "
@@ -67,14 +67,15 @@ std::string diagnosis_sentence(const std::vector<CoreStudy>& cores) {
     if (d.gap.before) before.push_back(*d.gap.before);
     if (d.gap.after && *d.gap.after > 1e-6) after.push_back(*d.gap.after);
   }
-  std::string text = "Held against the measurement, the paper's model lacks ";
   std::string list;
   for (const auto& [verdict, labels] : cores_of)
     list +=
-        fmt::format("{}{} (core {})", list.empty() ? "" : ", ", verdict, fmt::join(labels, ", "));
-  return fmt::format("{}{}; its distance from the data is {} times what noise makes{}.", text, list,
-                     range_of(before),
-                     after.empty() ? std::string() : ", and then " + range_of(after));
+        fmt::format("{}{} (core {})", list.empty() ? "" : "; ", verdict, fmt::join(labels, ", "));
+  const std::string closed = after.empty() ? std::string() : fmt::format(" to {}", range_of(after));
+  return fmt::format(
+      "Against the measurement the diagnosis of the paper's model names {}; with that the gap goes "
+      "from {}{}, where noise alone is 1.",
+      list, range_of(before), closed);
 }
 
 }  // namespace
@@ -94,12 +95,14 @@ std::string missing_in_words(const Diagnosis& d) {
       return fmt::format("one of {}, which these data cannot tell apart", fmt::join(sets, ", "));
     }
     case DiagnosisVerdict::unexplained:
-      names.emplace_back("what nothing in the list explains");
+      names.emplace_back(names.empty() ? "no effect of its list"
+                                       : "more that none of its list explains");
       break;
     case DiagnosisVerdict::measurement_fault:
       return "nothing that can be told before the data are mended";
     case DiagnosisVerdict::insufficient_data:
-      names.emplace_back("what these data cannot tell");
+      names.emplace_back(names.empty() ? "nothing, for want of data"
+                                       : "more that these data cannot tell");
       break;
   }
   return fmt::format("{}", fmt::join(names, " and "));

@@ -37,12 +37,12 @@ std::vector<report::TableCell> gap_cells(const Diagnosis& d) {
 const std::vector<report::TableColumn> gap_columns = {
     {"gap before", "noise = 1", Kind::number, {}},
     {"gap after", "noise = 1", Kind::number, {}},
-    {"unseen speed before", "noise = 1", Kind::number, {}},
-    {"unseen speed after", "noise = 1", Kind::number, {}}};
+    {"unseen before", "noise = 1", Kind::number, {}},
+    {"unseen after", "noise = 1", Kind::number, {}}};
 
 constexpr auto gap_meaning =
-    "Gap: mean squared distance of model and data in standard deviations of the noise (reduced "
-    "whitened χ²); 1 is the noise. After: with what is named. Unseen: at a speed no fit saw.";
+    "Gap: mean squared distance in standard deviations of the noise (reduced whitened χ²). After: "
+    "with what is named. Unseen: at a speed no fit saw.";
 
 report::Table verdict_table(const std::string& title,
                             const std::vector<report::TableColumn>& first_columns) {
@@ -61,7 +61,7 @@ report::TableCell linked(const std::string& text, const std::string& link) {
 
 report::Table measured_verdicts(const std::vector<CoreStudy>& cores) {
   report::Table table = verdict_table("What is missing from the paper's model, by the measurement",
-                                      {{"ball"}, {"the model lacks"}});
+                                      {{"ball"}, {"the diagnosis names"}});
   for (std::size_t i = 0; i < cores.size(); ++i) {
     const Diagnosis& d = cores[i].diagnosis;
     table.rows.push_back({linked("core " + cores[i].label, page_file(i, "core-" + cores[i].label)),

@@ -142,7 +142,7 @@ report::Table scalar_table(const CoreStudy& core, std::size_t s) {
                       .caption =
                           "FE ± distance between its two meshes. Contact time by "
                           "zero force; FE also above the instrument's threshold.",
-                      .columns = {{"", "", ColumnKind::text, {}},
+                      .columns = {{"by", "", ColumnKind::text, {}},
                                   {"restitution", "1", ColumnKind::number, {}},
                                   {"contact time", "ms", ColumnKind::number, {}},
                                   {"peak force", "N", ColumnKind::number, {}},
