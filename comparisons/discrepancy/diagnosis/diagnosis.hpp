@@ -11,7 +11,7 @@
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/named_effect.hpp"
-#include "comparisons/discrepancy/diagnosis/next_experiment.hpp"
+#include "comparisons/discrepancy/diagnosis/next_experiment/next_experiment.hpp"
 #include "comparisons/discrepancy/diagnosis/selection.hpp"
 #include "comparisons/discrepancy/diagnosis/selection_bootstrap.hpp"
 #include "comparisons/io/dataset/dataset.hpp"

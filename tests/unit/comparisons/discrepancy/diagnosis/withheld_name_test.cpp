@@ -1,0 +1,76 @@
+// What an unseen speed takes away from a verdict, rule by rule.
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+/// Two candidates of no common family, of which noise could do as much.
+Diagnosis small_gap() {
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::one_of;
+  d.family = EffectFamily::none;
+  d.candidates = {{"hum"}, {"force-exponent"}};
+  d.believed.p_value = 0.2;
+  d.selection.tried.resize(2);
+  d.selection.indistinguishable = {0, 1};
+  d.gap.held_out_before = 1.05;
+  d.gap.held_out_after = 1.08;
+  d.gap.held_out_noise = 0.04;
+  return d;
+}
+
+DiagnosisVerdict verdict_of(Diagnosis d) {
+  withhold_what_the_unseen_speed_denies(d, {});
+  return d.verdict;
+}
+
+TEST(WithheldNameTest, CandidatesThatHelpNowhereLeaveTheBelievedModel) {
+  Diagnosis d = small_gap();
+  withhold_what_the_unseen_speed_denies(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::agrees);
+  EXPECT_TRUE(d.candidates.empty());
+  EXPECT_TRUE(d.selection.indistinguishable.empty());
+  EXPECT_FALSE(d.gap.held_out_after);
+  EXPECT_NE(d.withheld.find("1.05"), std::string::npos) << d.withheld;
+}
+
+// Each condition alone keeps the candidates.
+TEST(WithheldNameTest, WhatNoiseCouldNotDoKeepsItsCandidates) {
+  Diagnosis d = small_gap();
+  d.believed.p_value = 1e-4;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+  d = small_gap();
+  d.family = EffectFamily::elastic;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+  d = small_gap();
+  d.gap.held_out_after = 1.02;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+  d = small_gap();
+  d.gap.held_out_before = 1.3;
+  d.gap.held_out_after = 1.1;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+}
+
+TEST(WithheldNameTest, AGapThatStaysIsUnexplained) {
+  Diagnosis d = small_gap();
+  d.gap.held_out_before = 3.0;
+  d.gap.held_out_after = 2.5;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::unexplained);
+}
+
+TEST(WithheldNameTest, ANameNeedsAGapThatClosesAtTheUnseenSpeed) {
+  Diagnosis d = small_gap();
+  d.verdict = DiagnosisVerdict::missing;
+  d.family = EffectFamily::elastic;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family);
+  d.gap.held_out_before = 3.0;
+  d.gap.held_out_after = 1.05;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::missing);
+}
+
+}  // namespace
+}  // namespace rebound
