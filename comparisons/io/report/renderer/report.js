@@ -75,7 +75,7 @@ function renderReport(report) {
     originKey(), contentsOf(report));
   const page = document.getElementById("page");
   page.append(head, ...report.sections.map((section, i) => renderSection(section, i, later)));
-  later.forEach((draw) => draw());
+  return later;
 }
 
 window.addEventListener("beforeprint", () => {
@@ -88,14 +88,28 @@ window.addEventListener("afterprint", () => {
   redrawAll();
 });
 
-// A report that cannot be drawn says so on the page, and its state is there for tests.
-const state = document.documentElement.dataset;
-try {
-  renderReport(JSON.parse(document.getElementById("data").textContent));
-  Promise.all(drawings).then(() => { state.state = "ready"; }, (error) => { state.state = "failed"; throw error; });
-} catch (error) {
+function sayThatItFailed(error) {
   state.state = "failed";
   document.getElementById("page").prepend(
     element("p", { class: "notice notice-failure", role: "alert" }, `This report could not be drawn: ${error.message}`));
   throw error;
+}
+
+function drawAll(later) {
+  try {
+    later.forEach((draw) => draw());
+  } catch (error) {
+    sayThatItFailed(error);
+  }
+  Promise.all(drawings).then(() => { state.state = "ready"; }, sayThatItFailed);
+}
+
+// A report that cannot be drawn says so on the page, and its state is there for tests.
+const state = document.documentElement.dataset;
+try {
+  const later = renderReport(JSON.parse(document.getElementById("data").textContent));
+  // Text, tables and matrices are read while the drawing library, which follows, is taken in.
+  window.addEventListener("load", () => requestAnimationFrame(() => setTimeout(() => drawAll(later))));
+} catch (error) {
+  sayThatItFailed(error);
 }

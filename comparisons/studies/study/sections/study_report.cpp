@@ -89,8 +89,7 @@ report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>
       "Lumped contact laws against finite elements and against the measurement; "
       "normal impact, no spin, no temperature";
   page.question =
-      "Can the lumped contact law be believed, at this speed and for this ball, and if not, what "
-      "is missing from it?";
+      "Can the contact law be believed, at this speed, for this ball? If not, what is missing?";
   page.headline = answer(cores);
   page.lead = {restitution_matrix(cores), measured_verdicts(cores)};
   page.sections = {matrix_section(cores), overlay_section(cores)};
