@@ -9,7 +9,7 @@ class FirstHourTest : public ProgramTest {
   std::string offered(const std::string& words) const {
     const std::string script = rebound({"completion", "bash"}).output;
     folder.write("rebound.bash", script);
-    return run_program({.arguments = {"bash", "-c",
+    return run_program({.arguments = {"/bin/bash", "-c",
                                       "set -u; source rebound.bash; COMP_WORDS=(" + words +
                                           "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rebound; "
                                           "printf '%s\n' \"${COMPREPLY[@]}\""},

@@ -54,7 +54,7 @@ std::string range_of(std::vector<double> values) {
   if (values.empty()) return "not computed";
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const std::string least = fmt::format("{:.2g}", *low), most = fmt::format("{:.2g}", *high);
-  return least == most ? least : least + " to " + most;
+  return least == most ? least : least + "–" + most;
 }
 
 /// What the diagnosis says of the paper's model, cores of one verdict together.
