@@ -157,8 +157,8 @@ report::Table bootstrap_table(const SelectionBootstrap& bootstrap) {
 report::Table next_table(const Diagnosis& d) {
   report::Table table{.title = "Measure next",
                       .caption =
-                          "P: chance that the right candidate then leads by more than the "
-                          "close criterion; an upper bound.",
+                          "P: chance that the right one of the two, whichever it is, then leads by "
+                          "more than the close criterion, with the other fitted again.",
                       .columns = {{"experiment", "", Kind::text, {}},
                                   {"tells", "", Kind::text, {}},
                                   {"P", "1", Kind::number, Origin::predicted}},

@@ -8,16 +8,16 @@
 namespace rebound {
 namespace {
 
-constexpr double seen_rise = 2.706;   // of χ²: 95 % of one side
-constexpr double first_size = 0.05;   // of the prior scale
-constexpr double largest_size = 8.0;  // of the prior scale
-constexpr double growth = 2.0;        // from size to size of the search
-constexpr int halvings = 3;           // of the last interval: sizes good to a tenth
+constexpr double excluding_rise = 2.706;  // of χ²: 95 % of one side
+constexpr double first_size = 0.05;       // of the prior scale
+constexpr double largest_size = 8.0;      // of the prior scale
+constexpr double growth = 2.0;            // from size to size of the search
+constexpr int halvings = 3;               // of the last interval: sizes good to a tenth
 
 /// The size from null at which one effect shows, in the direction of `sign`; nothing where it
 /// stays hidden. Infinite in a direction that the effect does not have.
 std::optional<double> visible_size(const EffectSensitivities& around, const EffectCard& card,
-                                   EffectChoice choice, double sign) {
+                                   EffectChoice choice, double sign, double seen_rise) {
   const auto shows = [&](double size) {
     choice.size = card.null + sign * size;
     const auto rise = around.rise(choice);
@@ -39,12 +39,14 @@ std::optional<double> visible_size(const EffectSensitivities& around, const Effe
   return size;
 }
 
-std::optional<ExcludedSize> excluded_size(const EffectSensitivities& around,
-                                          const EffectCard& card) {
+}  // namespace
+
+std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
+                                             const EffectCard& card, double rise) {
   ExcludedSize excluded{.name = card.name, .size = 0.0, .over = {}};
   for (const EffectChoice& choice : around.over_its_parameters(card))
     for (const double sign : {1.0, -1.0}) {
-      const auto size = visible_size(around, card, choice, sign);
+      const auto size = visible_size(around, card, choice, sign, rise);
       if (!size) return std::nullopt;
       if (std::isfinite(*size)) excluded.size = std::max(excluded.size, *size);
       for (const auto& [name, value] : choice.parameters) {
@@ -60,14 +62,13 @@ std::optional<ExcludedSize> excluded_size(const EffectSensitivities& around,
   return excluded;
 }
 
-}  // namespace
-
 std::vector<ExcludedSize> excluded_sizes(const EffectSensitivities& around) {
   std::vector<ExcludedSize> all;
   for (const std::string& name : around.effects()) {
     const EffectCard& card = find_effect(name).card;
     if (card.is_switch || !std::isfinite(card.null)) continue;
-    if (const auto excluded = excluded_size(around, card)) all.push_back(*excluded);
+    if (const auto excluded = size_that_raises(around, card, excluding_rise))
+      all.push_back(*excluded);
   }
   return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct ExcludedSize {
   };
   std::vector<Over> over;
 };
+
+/// The size from which χ² rises by at least `rise` wherever its further parameters stand on their
+/// grid and for either sign; nothing where it does not at eight times the prior scale.
+std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
+                                             const EffectCard& card, double rise);
 
 /// Sizes that a fitted model which agrees with its data excludes.
 ///
