@@ -8,7 +8,7 @@
 #include <new>
 #include <optional>
 
-#include "comparisons/app/commands.hpp"
+#include "comparisons/app/command_tree.hpp"
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/report_error.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
@@ -16,22 +16,6 @@
 namespace {
 
 using namespace rebound;
-
-/// One CLI11 sub-command per line of the table; `chosen` is set by parsing.
-void declare_all(CLI::App& app, Session& session, Action& chosen) {
-  for (const Command& command : commands()) {
-    CLI::App* sub = app.add_subcommand(command.name, command.summary);
-    sub->add_flag_callback(
-        "--json", [&session] { session.format = OutputFormat::json; },
-        "Print one JSON object on standard output");
-    sub->add_option("--out", session.out, "Folder for results");
-    sub->add_option("--threads", session.threads,
-                    "Threads to work with; all processors where not given. Results do not depend "
-                    "on it");
-    const Action action = command.declare(*sub);
-    sub->callback([&chosen, action] { chosen = action; });
-  }
-}
 
 /// Results that did not reach standard output are lost, and that is a failure.
 ExitCode with_output_written(ExitCode code) {
@@ -42,24 +26,26 @@ ExitCode with_output_written(ExitCode code) {
 int run(int argc, char** argv) {
   Session session;
   session.command_line.assign(argv, argv + argc);
-  const auto wants_json = [&] {  // known even when the usage was wrong
-    const auto& line = session.command_line;
-    return std::find(line.begin(), line.end(), "--json") != line.end();
-  };
+  const auto& line = session.command_line;  // known even when the usage was wrong
+  const bool wants_json = std::find(line.begin(), line.end(), "--json") != line.end();
+  watch_for_interruption(wants_json ? OutputFormat::json : OutputFormat::text);
   Action action;
   CLI::App app{"Rebound: reference models of a ball hitting a rigid plate, normal impact, no spin.",
                "rebound"};
-  app.set_version_flag("--version", REBOUND_VERSION);
-  app.require_subcommand(1);
-  app.footer(exit_code_help());
-  declare_all(app, session, action);
+  declare_commands(app, session, action);
+  if (argc == 1) {
+    // Nothing was asked for, which scripts have to notice; a reader is told where to begin.
+    fmt::print(stderr, "{}", next_steps());
+    return static_cast<int>(ExitCode::bad_input);
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    const std::string message =
-        fmt::format("{} (`rebound --help` lists what there is)", error.what());
-    return report_error(Error(ExitCode::bad_input, message), wants_json());
+    const std::string near = nearest_usage(app, session.command_line);
+    const std::string message = fmt::format(
+        "{} ({})", error.what(), near.empty() ? "`rebound --help` lists what there is" : near);
+    return report_error(Error(ExitCode::bad_input, message), wants_json);
   }
   try {
     std::optional<ThreadLimit> limit;
@@ -78,6 +64,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  rebound::watch_for_interruption();
   return run(argc, argv);
 }

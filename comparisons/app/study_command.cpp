@@ -77,6 +77,9 @@ Json write_study(const StudyRun& run) {
   const auto page = run.out / "report.html";
   json["report"] = page.string();
   json["provenance"] = to_json(run.provenance);
+  // The pages it leads to are there before a reader can follow a link.
+  for (const StudyPage& diagnosis : diagnosis_pages(run.cores, run.experiments, run.provenance))
+    report::write_report(diagnosis.report, run.out / diagnosis.file);
   report::write_report(
       study_report(run.study, run.cores, run.experiments, run.paper, run.provenance), page);
   write_file_atomically(run.out / "study.json", dump(json));

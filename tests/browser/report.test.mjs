@@ -159,8 +159,52 @@ test("the half-section pauses where it is", () => withPage(demo, 1280, async ({ 
 
 test("folded sections open and show their text", () => withPage(demo, 1280, async ({ page }) => {
   assert.equal(await page.isVisible("pre"), false);
-  await page.click("summary");
+  await page.click("section:last-of-type summary");
   assert.equal(await page.isVisible("pre"), true);
+}));
+
+test("a finding and its evidence share one box", () => withPage(demo, 1280, async ({ page }) => {
+  assert.match(await page.textContent(".notice-failure"), /20 % low\.\s*Measured 3\.1 mm/);
+}));
+
+test("a press on a heading sorts by number, a second one the other way", () => withPage(demo, 1280, async ({ page }) => {
+  const table = '.overlays table[aria-label="Restitution"]';
+  const values = () => page.$$eval(`${table} tbody tr`, (rows) => rows.map((row) => Number(row.children[1].textContent)));
+  await page.click(`${table} th:nth-child(2) .sort`);
+  const rising = await values();
+  assert.ok(rising.length >= 3 && rising.every((value, i) => i === 0 || rising[i - 1] <= value), rising.join());
+  assert.equal(await page.getAttribute(`${table} th:nth-child(2)`, "aria-sort"), "ascending");
+  await page.focus(`${table} th:nth-child(2) .sort`);
+  await page.keyboard.press("Enter");
+  assert.deepEqual(await values(), rising.toReversed());
+}));
+
+test("a table is copied as comma-separated values", () => withPage(demo, 1280, async ({ page }) => {
+  await page.evaluate(() => {
+    Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => { window.copied = text; } } });
+  });
+  await page.click('button[aria-label="Copy as CSV: Restitution"]');
+  const lines = (await page.evaluate(() => window.copied)).trimEnd().split("\n");
+  assert.equal(lines[0], "law,restitution (–),reference (–)");
+  assert.equal(lines[1], "linear spring,1.00,0.582 ± 0.012");
+  assert.match(lines[2], /^"Kelvin–Voigt, ζ = 0\.1",/);
+}));
+
+test("the page is dark where the reader's screen is, and light on paper", () => withPage(demo, 1280, async ({ page, complaints }) => {
+  const look = () => page.evaluate(() => {
+    const light = (colour) => Math.min(...colour.match(/\d+/g).slice(0, 3).map(Number));
+    return [light(getComputedStyle(document.body).backgroundColor),
+      light(document.querySelector(".plot .main-svg").style.background)];
+  });
+  assert.deepEqual(await look(), [255, 255]);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.waitForFunction(() => document.querySelector(".plot .main-svg").style.background.includes("20, 25, 30"));
+  assert.ok((await look()).every((channel) => channel < 60));
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  await page.waitForFunction(() => document.querySelector(".plot .main-svg").style.background.includes("255, 255, 255"));
+  assert.deepEqual(await look(), [255, 255]);
+  assert.equal(await page.$$eval("details:not([open])", (all) => all.length), 0, "folded text is not printed");
+  assert.deepEqual(complaints, []);
 }));
 
 for (const name of ["demo.html", "hostile.html"]) {

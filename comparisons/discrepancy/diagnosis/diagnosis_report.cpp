@@ -104,18 +104,16 @@ report::Table excluded_table(const Diagnosis& d) {
                           "at 95 %, one at a time, wherever its further numbers lie in the ranges "
                           "beside it.",
                       .columns = {{"effect", "", Kind::text, {}},
-                                  {"size", "SI", Kind::number, Origin::derived},
-                                  {"unit", "", Kind::text, {}},
+                                  {"size", "as named", Kind::number, Origin::derived},
                                   {"further numbers, SI", "", Kind::text, {}}},
                       .rows = {}};
   for (const auto& e : d.excluded) {
-    const std::string unit = size_unit(find_effect(e.name).card);
     std::string over;
     for (const auto& range : e.over)
       over += fmt::format("{}{} {:.3g} to {:.3g}", over.empty() ? "" : ", ", range.parameter,
                           range.lowest, range.highest);
-    table.rows.push_back({text_cell(e.name), number_cell(e.size, 2),
-                          text_cell(unit.empty() ? "1" : unit), text_cell(over)});
+    table.rows.push_back({text_cell(e.name), text_cell(size_text(find_effect(e.name).card, e.size)),
+                          text_cell(over)});
   }
   return table;
 }

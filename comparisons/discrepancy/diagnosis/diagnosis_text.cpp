@@ -13,12 +13,14 @@ std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
 
-/// A unit behind its number; a plain number has none.
-std::string with_space(const std::string& unit) {
-  return unit.empty() ? unit : " " + unit;
-}
-
 }  // namespace
+
+std::string size_text(const EffectCard& card, double size) {
+  const std::string unit = size_unit(card);
+  if (!unit.empty()) return fmt::format("{:.3g} {}", size, unit);
+  const bool share = card.range.highest <= 1.0;
+  return share ? fmt::format("{:.3g} %", 100 * size) : fmt::format("{:.3g}", size);
+}
 
 std::string headline(const Diagnosis& d) {
   const auto sized = [&] {
@@ -126,8 +128,8 @@ std::string to_text(const Diagnosis& d) {
     text += fmt::format("next      {}: tells {} from {} with P = {:.2f}\n", e.what, e.separates[0],
                         e.separates[1], e.probability);
   for (const auto& e : d.excluded)
-    text += fmt::format("excluded  {} above {:.3g}{}\n", e.name, e.size,
-                        with_space(size_unit(find_effect(e.name).card)));
+    text +=
+        fmt::format("excluded  {} above {}\n", e.name, size_text(find_effect(e.name).card, e.size));
   for (const auto& warning : d.warnings) text += fmt::format("warning   {}\n", warning);
   return text;
 }

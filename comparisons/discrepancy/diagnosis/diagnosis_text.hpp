@@ -12,6 +12,9 @@ std::string to_text(const Diagnosis& diagnosis);
 /// What the missing force looks like, in a sentence or two; empty where there is none.
 std::string missing_force_sentence(const Diagnosis& diagnosis);
 
+/// A size of an effect with its unit; one that cannot exceed 1 is a share, in per cent.
+std::string size_text(const EffectCard& card, double size);
+
 /// One sentence: verdict, name, sizes, gap.
 std::string headline(const Diagnosis& diagnosis);
 

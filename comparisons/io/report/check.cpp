@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "lumped/problem/error.hpp"
 
@@ -138,6 +139,14 @@ void check_animation(const Place& outside, const Animation& animation) {
   check_contact(place, animation);
 }
 
+/// A link leads to a page that was written with this one: never up, never to another server.
+bool is_page_beside(const std::string& link) {
+  constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./";
+  return link.empty() || (link.front() != '/' && link.ends_with(".html") &&
+                          link.find_first_not_of(plain) == std::string::npos &&
+                          link.find("..") == std::string::npos);
+}
+
 void check_table(const Place& outside, const Table& table) {
   const Place place = outside.inside("table", table.title);
   place.require(!table.title.empty(), "no title");
@@ -148,6 +157,8 @@ void check_table(const Place& outside, const Table& table) {
   }
   for (const auto& row : table.rows) {
     place.require(row.size() == table.columns.size(), "a row has not one cell per column");
+    for (const TableCell& cell : row)
+      place.require(is_page_beside(cell.link), "\"" + cell.link + "\" is no page beside this one");
   }
 }
 
@@ -192,19 +203,29 @@ void check_overlays(const Place& outside, const Overlays& overlays) {
                 "the overlay shown first, \"" + overlays.chosen + "\", is not there");
 }
 
+/// All blocks of a report with the place they stand in, in the order of reading.
+std::vector<std::pair<Place, const Block*>> placed_blocks(const Place& place,
+                                                          const Report& report) {
+  std::vector<std::pair<Place, const Block*>> placed;
+  for (const Block& block : report.lead) placed.emplace_back(place, &block);
+  for (const Section& section : report.sections) {
+    const Place at = place.inside("section", section.title);
+    for (const Block& block : section.blocks) placed.emplace_back(at, &block);
+    for (const Block& block : section.details) placed.emplace_back(at, &block);
+  }
+  return placed;
+}
+
 OverlayKeys overlay_keys(const Place& place, const Report& report) {
   OverlayKeys keys;
-  for (const Section& section : report.sections) {
-    for (const Block& block : section.blocks) {
-      const auto* overlays = std::get_if<Overlays>(&block);
-      if (overlays == nullptr) continue;
-      place.require(!overlays->id.empty() && !keys.contains(overlays->id),
-                    "overlays id \"" + overlays->id + "\" is empty or used twice");
-      for (const Overlay& overlay : overlays->items) {
-        place.require(keys[overlays->id].insert(overlay.key).second,
-                      "overlay key \"" + overlay.key + "\" is used twice");
-      }
-    }
+  for (const auto& [at, block] : placed_blocks(place, report)) {
+    const auto* overlays = std::get_if<Overlays>(block);
+    if (overlays == nullptr) continue;
+    place.require(!overlays->id.empty() && !keys.contains(overlays->id),
+                  "overlays id \"" + overlays->id + "\" is empty or used twice");
+    for (const Overlay& overlay : overlays->items)
+      place.require(keys[overlays->id].insert(overlay.key).second,
+                    "overlay key \"" + overlay.key + "\" is used twice");
   }
   return keys;
 }
@@ -216,16 +237,14 @@ void check_report(const Report& report) {
   place.require(!report.title.empty(), "no title");
   place.require(!report.headline.empty(), "no headline sentence");
   const OverlayKeys overlays = overlay_keys(place, report);
-  for (const Section& section : report.sections) {
-    const Place at = place.inside("section", section.title);
-    at.require(!section.title.empty(), "no title");
-    for (const Block& block : section.blocks) {
-      if (const auto* table = std::get_if<Table>(&block)) check_table(at, *table);
-      if (const auto* figure = std::get_if<Figure>(&block)) check_figure(at, *figure);
-      if (const auto* moving = std::get_if<Animation>(&block)) check_animation(at, *moving);
-      if (const auto* matrix = std::get_if<Matrix>(&block)) check_matrix(at, *matrix, overlays);
-      if (const auto* items = std::get_if<Overlays>(&block)) check_overlays(at, *items);
-    }
+  for (const Section& section : report.sections)
+    place.inside("section", section.title).require(!section.title.empty(), "no title");
+  for (const auto& [at, block] : placed_blocks(place, report)) {
+    if (const auto* table = std::get_if<Table>(block)) check_table(at, *table);
+    if (const auto* figure = std::get_if<Figure>(block)) check_figure(at, *figure);
+    if (const auto* moving = std::get_if<Animation>(block)) check_animation(at, *moving);
+    if (const auto* matrix = std::get_if<Matrix>(block)) check_matrix(at, *matrix, overlays);
+    if (const auto* items = std::get_if<Overlays>(block)) check_overlays(at, *items);
   }
 }
 

@@ -1,5 +1,11 @@
 #include "comparisons/io/report/json.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
 #include "comparisons/io/report/packed_values.hpp"
 
 namespace rebound::report {
@@ -34,6 +40,18 @@ json optional_json(const std::optional<Value>& value) {
   return value ? json(*value) : json(nullptr);
 }
 
+/// Five digits are ten times finer than a pixel and a third of the size of all of them.
+/// The full numbers stand in the result files.
+std::vector<double> drawn(const std::vector<double>& values) {
+  std::vector<double> shown;
+  shown.reserve(values.size());
+  for (const double value : values) {
+    const double rounded = std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+    shown.push_back(std::isfinite(rounded) ? rounded : value);
+  }
+  return shown;
+}
+
 }  // namespace
 
 static void to_json(json& out, const Axis& axis) {
@@ -47,12 +65,12 @@ static void to_json(json& out, const Series& series) {
          {"origin", series.origin},
          {"style", series.style == Series::Style::line ? "line" : "points"},
          {"reference", series.role == Series::Role::reference},
-         {"x", series.x},
-         {"y", series.y},
-         {"x_error", series.x_error},
-         {"y_error", series.y_error},
-         {"y_low", series.y_low},
-         {"y_high", series.y_high}};
+         {"x", drawn(series.x)},
+         {"y", drawn(series.y)},
+         {"x_error", drawn(series.x_error)},
+         {"y_error", drawn(series.y_error)},
+         {"y_low", drawn(series.y_low)},
+         {"y_high", drawn(series.y_high)}};
 }
 
 static void to_json(json& out, const Figure& figure) {
@@ -98,6 +116,7 @@ static void to_json(json& out, const TableColumn& column) {
 
 static void to_json(json& out, const TableCell& cell) {
   out = {{"text", cell.text}, {"verdict", cell.verdict}, {"origin", optional_json(cell.origin)}};
+  if (!cell.link.empty()) out["link"] = cell.link;
 }
 
 static void to_json(json& out, const Table& table) {
@@ -144,7 +163,10 @@ static void to_json(json& out, const Paragraph& paragraph) {
 }
 
 static void to_json(json& out, const Notice& notice) {
-  out = {{"kind", "notice"}, {"level", notice.level}, {"text", notice.text}};
+  out = {{"kind", "notice"},
+         {"level", notice.level},
+         {"text", notice.text},
+         {"evidence", notice.evidence}};
 }
 
 static void to_json(json& out, const Verbatim& verbatim) {
@@ -166,21 +188,27 @@ static void to_json(json& out, const Overlays& overlays) {
          {"items", overlays.items}};
 }
 
+static json blocks_json(const std::vector<Block>& blocks) {
+  json list = json::array();
+  for (const Block& block : blocks)
+    list.push_back(std::visit([](const auto& each) { return json(each); }, block));
+  return list;
+}
+
 static void to_json(json& out, const Section& section) {
-  json blocks = json::array();
-  for (const Block& block : section.blocks) {
-    blocks.push_back(std::visit([](const auto& each) { return json(each); }, block));
-  }
   out = {{"title", section.title},
          {"folded", section.folding == Section::Folding::folded},
-         {"blocks", blocks}};
+         {"blocks", blocks_json(section.blocks)},
+         {"details", blocks_json(section.details)}};
 }
 
 json report_json(const Report& report) {
   return {{"schema", 1},
           {"title", report.title},
           {"subtitle", report.subtitle},
+          {"question", report.question},
           {"headline", report.headline},
+          {"lead", blocks_json(report.lead)},
           {"notices", report.notices},
           {"sections", report.sections}};
 }

@@ -50,9 +50,9 @@ std::string page_html(const std::string& title, const nlohmann::json& object) {
   const std::array<std::pair<std::string_view, std::string_view>, 5> parts{{
       {"{{title}}", safe_title},
       {"{{style}}", embedded::style},
-      {"{{drawing_library}}", embedded::drawing_library},
       {"{{data}}", data},
       {"{{renderer}}", embedded::renderer},
+      {"{{drawing_library}}", embedded::drawing_library},
   }};
   // One pass over the template: what is put in is never searched for places.
   std::string out;

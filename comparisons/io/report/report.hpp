@@ -22,6 +22,7 @@ struct Paragraph {
 struct Notice {
   enum class Level { finding, abstention, warning, failure } level = Level::warning;
   std::string text;
+  std::string evidence = {};  ///< what it rests on, in the same box; may be empty
 };
 
 /// Text that is typed somewhere or hashed, e.g. a command; shown as it stands.
@@ -48,17 +49,21 @@ struct Overlays {
 
 using Block = std::variant<Paragraph, Notice, Verbatim, Table, Figure, Animation, Matrix, Overlays>;
 
+/// One question and its answer. What only some readers want stands folded behind it.
 struct Section {
   enum class Folding { open, folded };
   std::string title;
   Folding folding = Folding::open;
   std::vector<Block> blocks;
+  std::vector<Block> details = {};  ///< after the blocks, folded under "Details"
 };
 
 struct Report {
   std::string title;
-  std::string subtitle;  ///< e.g. which study on which data; may be empty
-  std::string headline;  ///< the one sentence a reader takes away
+  std::string subtitle;          ///< e.g. which study on which data; may be empty
+  std::string question = {};     ///< what the report answers; may be empty
+  std::string headline;          ///< the sentence, or the three, that a reader takes away
+  std::vector<Block> lead = {};  ///< the picture or table that belongs on the first screen
   std::vector<Notice> notices;
   std::vector<Section> sections;
 };

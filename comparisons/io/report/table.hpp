@@ -15,6 +15,7 @@ struct TableCell {
   std::string text;
   Verdict verdict = Verdict::none;
   std::optional<Origin> origin;  ///< where the column does not say it for all
+  std::string link = {};         ///< page beside this one, e.g. "diagnosis/core-A.html"; or empty
 };
 
 struct TableColumn {

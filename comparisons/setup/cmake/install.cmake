@@ -4,6 +4,11 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/rebound)
 
 install(TARGETS rebound RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# Completions and manual pages, written by the program from its own table of options.
+install(CODE "
+  execute_process(COMMAND \"$<TARGET_FILE:rebound>\" completion
+    --out \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\"
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY comparisons/studies/data DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound)
 install(FILES tests/mutations/faults.txt tests/mutations/results.tsv
   DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/mutations)

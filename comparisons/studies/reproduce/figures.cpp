@@ -27,12 +27,21 @@ report::Series line(const std::string& name, const std::vector<double>& x,
   return series;
 }
 
+/// Every fourth point and the last: still closer than two pixels.
+std::vector<double> drawn(const std::vector<double>& values) {
+  constexpr std::size_t stride = 4;
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < values.size(); i += stride) kept.push_back(values[i]);
+  if (values.size() % stride != 1) kept.push_back(values.back());
+  return kept;
+}
+
 report::Series force_over_deflection(const std::string& name, const Trace& trace) {
-  return line(name, scaled(trace.deflection, milli), trace.force);
+  return line(name, scaled(drawn(trace.deflection), milli), drawn(trace.force));
 }
 
 report::Series deflection_over_time(const std::string& name, const Trace& trace) {
-  return line(name, scaled(trace.time, milli), scaled(trace.deflection, milli));
+  return line(name, scaled(drawn(trace.time), milli), scaled(drawn(trace.deflection), milli));
 }
 
 std::string key_of(const PaperCore& core, const PaperShot& shot) {

@@ -66,8 +66,8 @@ std::vector<report::Section> report_sections(const Reproduction& reproduction) {
                            .folding = report::Section::Folding::open,
                            .blocks = {report::Paragraph{counts(reproduction)}}};
   for (const Finding& finding : reproduction.findings) {
-    findings.blocks.push_back(report::Notice{report::Notice::Level::finding, finding.statement});
-    findings.blocks.push_back(report::Paragraph{finding.evidence});
+    findings.blocks.push_back(
+        report::Notice{report::Notice::Level::finding, finding.statement, finding.evidence});
   }
   report::Section differing{.title = "Published numbers that do not follow",
                             .folding = report::Section::Folding::folded,

@@ -14,6 +14,35 @@ namespace rebound {
 /// one core at one speed, what was measured, which change closes it.
 std::string headline(const std::vector<CoreStudy>& cores);
 
+/// The three sentences of the first screen: the published law at its worst, which law is nearest
+/// to FE and whether FE follows the data, what the diagnosis says and the gap before and after.
+std::string answer(const std::vector<CoreStudy>& cores);
+
+/// What a diagnosis found, in the words that stand behind "the diagnosis names".
+std::string missing_in_words(const Diagnosis& diagnosis);
+
+/// Does the fitted FE material follow restitution and contact time within their uncertainty?
+bool fem_follows(const CoreStudy& core);
+
+/// Law × core × speed: error of the restitution against the measurement.
+report::Matrix restitution_matrix(const std::vector<CoreStudy>& cores);
+
+/// Verdict and gap of each core's diagnosis, linked to its page.
+report::Table measured_verdicts(const std::vector<CoreStudy>& cores);
+
+/// What was found on the measurement, then on the synthetic experiments where there are some.
+std::vector<report::Section> diagnosis_overview(const std::vector<CoreStudy>& cores,
+                                                const std::vector<ExperimentStudy>& experiments);
+
+/// A page that the report leads to; `file` is relative to the report's folder.
+struct StudyPage {
+  std::string file;
+  report::Report report;
+};
+std::vector<StudyPage> diagnosis_pages(const std::vector<CoreStudy>& cores,
+                                       const std::vector<ExperimentStudy>& experiments,
+                                       const Provenance& provenance);
+
 /// Law × core × speed: distance of the force trace from FE, errors against
 /// the measurement.
 report::Section matrix_section(const std::vector<CoreStudy>& cores);

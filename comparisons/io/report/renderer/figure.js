@@ -2,9 +2,17 @@
 
 const drawings = [];  // promises; the page is ready when all of them are
 
+const manyPoints = 20;  // beyond, marks are small and pale, so that lines stay visible
+const redraws = new Set();
+
+function redrawAll() {
+  redraws.forEach((redraw) => redraw());
+}
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redrawAll);
+
 function errorBar(half_widths, colour) {
   if (half_widths.length === 0) return undefined;
-  return { type: "data", array: half_widths, color: colour, thickness: 1.4, width: 5 };
+  return { type: "data", array: half_widths, color: colour, thickness: 1.6, width: half_widths.length > manyPoints ? 0 : 6 };
 }
 
 /** The series as traces of the drawing library, band first so that the line is on top. */
@@ -21,13 +29,15 @@ function tracesOf(series, figure, faded) {
     });
   }
   const line = series.style === "line";
+  const barred = series.x_error.length + series.y_error.length > 0;
+  const many = !line && series.x.length > manyPoints;
   traces.push({
     type: "scatter", mode: line ? "lines" : "markers", name: drawnText(series.name),
-    x: series.x, y: series.y, opacity,
+    x: series.x, y: series.y, opacity: many ? 0.55 * opacity : opacity,
     line: { color: colour, width: series.reference ? 2.6 : 2, dash: dashOfOrigin[series.origin] },
     marker: {
-      size: 9, symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
-      color: colour, line: { color: colour, width: 1.8 },
+      size: many ? 4 : barred ? 5 : 8,  // smaller than its bar symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
+      color: colour, line: { color: colour, width: many ? 1 : 1.8 },
     },
     error_x: errorBar(series.x_error, colour),
     error_y: errorBar(series.y_error, colour),
@@ -59,8 +69,18 @@ function axisLayout(axis, values) {
     title: { text: drawnText(axisText(axis)), standoff: 8 },
     type: axis.logarithmic ? "log" : "linear",
     ...(axis.logarithmic && values.length > 0 ? logarithmicTicks(values) : {}),
-    automargin: true, showline: true, mirror: true, linecolor: "#8a929b", ticks: "outside",
-    tickcolor: "#8a929b", gridcolor: "#eceef0", zeroline: false, exponentformat: "power",
+    automargin: true, showline: true, mirror: true, linecolor: pageColour("--axis"), ticks: "outside",
+    tickcolor: pageColour("--axis"), gridcolor: pageColour("--grid"), zeroline: false, exponentformat: "power",
+  };
+}
+
+const fileName = (figure) => figure.title.replace(/[^A-Za-z0-9]+/g, "-");
+
+/** Beside the drawing library's own button, which saves SVG. */
+function pngButton(figure) {
+  return {
+    name: "save-png", title: "Download plot as a PNG", icon: Plotly.Icons.disk,
+    click: (place) => Plotly.downloadImage(place, { format: "png", filename: fileName(figure), scale: 2 }),
   };
 }
 
@@ -70,15 +90,16 @@ function drawFigure(place, figure, hidden, highlight) {
     highlight !== "" && series.name !== highlight && !series.reference && series.origin !== "measured"));
   const layout = {
     showlegend: false, hovermode: "closest", margin: { l: 60, r: 14, t: 26, b: 48 },
-    font: { family: "system-ui, sans-serif", size: 13, color: ink },
+    font: { family: "system-ui, sans-serif", size: 13, color: pageColour("--ink") },
     xaxis: axisLayout(figure.x, shown.flatMap((series) => series.x)),
     yaxis: axisLayout(figure.y, shown.flatMap((series) => series.y)),
-    paper_bgcolor: "#fff", plot_bgcolor: "#fff",
+    paper_bgcolor: pageColour("--page"), plot_bgcolor: pageColour("--page"),
+    modebar: { bgcolor: "rgba(0,0,0,0)", color: pageColour("--axis"), activecolor: pageColour("--ink") },
   };
   const options = {
     responsive: true, displaylogo: false,
-    modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
-    toImageButtonOptions: { format: "svg", filename: figure.title.replace(/[^A-Za-z0-9]+/g, "-") },
+    modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"], modeBarButtonsToAdd: [pngButton(figure)],
+    toImageButtonOptions: { format: "svg", filename: fileName(figure) },
   };
   const drawing = Plotly.react(place, traces, layout, options);
   drawings.push(drawing);
@@ -103,6 +124,17 @@ function figureGroup(legendPlace = "above") {
 
   const draw = () => drawn.forEach(({ place, figure }) => drawFigure(place, figure, hidden, highlighted));
 
+  redraws.add(() => {
+    if (drawn.length === 0) return;
+    legend.replaceChildren(...entries());
+    draw();
+  });
+
+  function entries() {
+    const byName = new Map(drawn.flatMap(({ figure }) => figure.series.map((series) => [series.name, series])));
+    return [...byName.values()].map(entry);
+  }
+
   function entry(series) {
     const button = element("button", { type: "button", "aria-pressed": String(!hidden.has(series.name)) },
       swatch(series), element("span", {}, series.name), originTag(series.origin));
@@ -118,11 +150,10 @@ function figureGroup(legendPlace = "above") {
   function show(figures, highlight = "") {
     drawn.forEach(({ place }) => Plotly.purge(place));
     highlighted = highlight;
-    const byName = new Map(figures.flatMap((figure) => figure.series.map((series) => [series.name, series])));
-    legend.replaceChildren(...[...byName.values()].map(entry));
     drawn = figures.map((figure) => ({
       figure, place: element("div", { class: "plot", role: "img", "aria-label": describeFigure(figure) }),
     }));
+    legend.replaceChildren(...entries());
     panels.replaceChildren(...drawn.map(({ figure, place }) => captioned("drawn", figure, place)));
     // The places have a width only once they are on the page.
     return draw;

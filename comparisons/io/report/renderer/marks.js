@@ -10,11 +10,23 @@ const originMeaning = {
 const dashOfOrigin = { measured: "solid", derived: "dot", fitted: "dash", predicted: "solid" };
 const strokeOfOrigin = { measured: "", derived: "2 3", fitted: "7 4", predicted: "" };
 
-const ink = "#1b1f24";
+const ink = "#1b1f24";  // on pale cells of a matrix, whatever the page's colours
+
+/** Is the page dark now? Paper never is. */
+function isDark() {
+  return !("paper" in document.documentElement.dataset) && matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+/** A colour of the page's own, as the style sheet has it now. */
+function pageColour(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
 // Told apart by readers with any common colour vision (after Okabe & Ito), darkened
 // where thin lines on white would fade.
 const palette = ["#0072b2", "#d55e00", "#008a63", "#b85c94", "#b07d00", "#4a9fd0",
                  "#8c564b", "#6a55a8", "#5b7f2b", "#a02c5a"];
+const paletteOnDark = ["#56b4e9", "#ff9a52", "#3ad0a0", "#e79fc4", "#e6c04a", "#8ecbf0",
+                       "#c9a298", "#b5a6f2", "#a9cf72", "#f083ab"];
 const symbols = ["circle", "square", "diamond", "triangle-up", "cross", "star"];
 const placeOfName = new Map();
 const placeOfMeasured = new Map();
@@ -27,16 +39,17 @@ function placeIn(places, name) {
 /** The same name has the same colour and symbol in every figure of the page. */
 function lookOf(series) {
   if (series.origin === "measured") {
-    return { colour: ink, symbol: symbols[placeIn(placeOfMeasured, series.name) % symbols.length] };
+    return { colour: pageColour("--ink"), symbol: symbols[placeIn(placeOfMeasured, series.name) % symbols.length] };
   }
-  if (series.reference) return { colour: ink, symbol: "circle" };
+  if (series.reference) return { colour: pageColour("--ink"), symbol: "circle" };
   const place = placeIn(placeOfName, series.name);
-  return { colour: palette[place % palette.length], symbol: symbols[place % symbols.length] };
+  const colours = isDark() ? paletteOnDark : palette;
+  return { colour: colours[place % colours.length], symbol: symbols[place % symbols.length] };
 }
 
 /** Gives out the looks in the order of the report: the chosen overlay's series first. */
 function assignLooks(report) {
-  const blocks = report.sections.flatMap((section) => section.blocks);
+  const blocks = [...report.lead, ...report.sections.flatMap((section) => [...section.blocks, ...section.details])];
   const overlays = blocks.filter((block) => block.kind === "overlays").flatMap((block) => block.items);
   const figures = [...overlays.flatMap((overlay) => overlay.figures),
                    ...blocks.filter((block) => block.kind === "figure")];
@@ -77,7 +90,7 @@ function swatch(series) {
     add("line", { x1: 0, y1: 6, x2: 30, y2: 6, stroke: colour, "stroke-width": 2.4,
                   "stroke-dasharray": strokeOfOrigin[series.origin] });
   } else {
-    const filled = series.origin === "measured" ? colour : "#fff";
+    const filled = series.origin === "measured" ? colour : pageColour("--page");
     add("path", { d: symbolPaths[symbol], fill: filled, stroke: colour, "stroke-width": 1.8 });
   }
   return svg;

@@ -4,7 +4,8 @@ const levelWord = { finding: "Finding", abstention: "Not decided", warning: "War
 
 function renderNotice(notice) {
   return element("p", { class: `notice notice-${notice.level}`, role: "note" },
-    element("strong", {}, `${levelWord[notice.level]}. `), notice.text);
+    element("strong", {}, `${levelWord[notice.level]}. `), notice.text,
+    notice.evidence ? element("span", { class: "evidence" }, notice.evidence) : null);
 }
 
 function renderVerbatim(verbatim) {
@@ -36,13 +37,20 @@ function renderSection(section, position, later) {
   const id = `section-${position + 1}`;
   const heading = element("h2", {}, element("span", { class: "place" }, `${position + 1}`), section.title);
   const blocks = section.blocks.map((block) => renderBlock(block, later));
-  if (!section.folded) return element("section", { id }, heading, ...blocks);
-  const details = element("details", {}, element("summary", {}, heading), ...blocks);
+  if (section.details.length > 0) {
+    blocks.push(foldedAway(element("span", {}, "Details"),
+      section.details.map((block) => renderBlock(block, later))));
+  }
+  return element("section", { id }, ...(section.folded ? [foldedAway(heading, blocks)] : [heading, ...blocks]));
+}
+
+function foldedAway(summary, blocks) {
+  const details = element("details", {}, element("summary", {}, summary), ...blocks);
   // Drawn while folded away, a figure has no width.
   details.addEventListener("toggle", () => {
     details.querySelectorAll(".plot").forEach((place) => { if (details.open) Plotly.Plots.resize(place); });
   });
-  return element("section", { id }, details);
+  return details;
 }
 
 function contentsOf(report) {
@@ -61,25 +69,47 @@ function renderReport(report) {
   assignLooks(report);
   const head = element("header", {}, element("h1", {}, report.title));
   if (report.subtitle) head.append(element("p", { class: "subtitle" }, report.subtitle));
-  head.append(element("p", { class: "headline" }, report.headline), ...report.notices.map(renderNotice),
+  if (report.question) head.append(element("p", { class: "question" }, report.question));
+  head.append(element("p", { class: report.question ? "headline answer" : "headline" }, report.headline),
+    ...report.notices.map(renderNotice), ...report.lead.map((block) => renderBlock(block, later)),
     originKey(), contentsOf(report));
   const page = document.getElementById("page");
   page.append(head, ...report.sections.map((section, i) => renderSection(section, i, later)));
-  later.forEach((draw) => draw());
+  return later;
 }
 
 window.addEventListener("beforeprint", () => {
   document.querySelectorAll("details").forEach((details) => { details.open = true; });
+  document.documentElement.dataset.paper = "";
+  redrawAll();
+});
+window.addEventListener("afterprint", () => {
+  delete document.documentElement.dataset.paper;
+  redrawAll();
 });
 
-// A report that cannot be drawn says so on the page, and its state is there for tests.
-const state = document.documentElement.dataset;
-try {
-  renderReport(JSON.parse(document.getElementById("data").textContent));
-  Promise.all(drawings).then(() => { state.state = "ready"; }, (error) => { state.state = "failed"; throw error; });
-} catch (error) {
+function sayThatItFailed(error) {
   state.state = "failed";
   document.getElementById("page").prepend(
     element("p", { class: "notice notice-failure", role: "alert" }, `This report could not be drawn: ${error.message}`));
   throw error;
+}
+
+function drawAll(later) {
+  try {
+    later.forEach((draw) => draw());
+  } catch (error) {
+    sayThatItFailed(error);
+  }
+  Promise.all(drawings).then(() => { state.state = "ready"; }, sayThatItFailed);
+}
+
+// A report that cannot be drawn says so on the page, and its state is there for tests.
+const state = document.documentElement.dataset;
+try {
+  const later = renderReport(JSON.parse(document.getElementById("data").textContent));
+  // Text, tables and matrices are read while the drawing library, which follows, is taken in.
+  window.addEventListener("load", () => requestAnimationFrame(() => setTimeout(() => drawAll(later))));
+} catch (error) {
+  sayThatItFailed(error);
 }

@@ -29,8 +29,9 @@ report::MatrixCell cell_of(const LawScore& cell, const StudyShot& shot, const Ma
     shown.text = cell.failure.empty() ? "not measured" : "no answer";
     return shown;
   }
-  shown.value = 100 * *score;
-  shown.text = kind.scale.kind == report::ColourScale::Kind::diverging
+  // What rounds to zero is zero, without a sign.
+  shown.value = std::abs(*score) < 5e-4 ? 0.0 : 100 * *score;
+  shown.text = kind.scale.kind == report::ColourScale::Kind::diverging && *shown.value != 0.0
                    ? fmt::format("{:+.1f}", *shown.value)
                    : fmt::format("{:.1f}", *shown.value);
   shown.hatched = std::abs(*score) < kind.spread(shot);
@@ -72,9 +73,20 @@ double no_spread(const StudyShot&) {
 
 }  // namespace
 
+report::Matrix restitution_matrix(const std::vector<CoreStudy>& cores) {
+  return matrix_of(
+      cores, {.title = "How wrong is each law?",
+              .caption = "Restitution of the law over the measured one, less one. A press on a "
+                         "cell shows the impact.",
+              .quantity = "error of the restitution",
+              .scale = {report::ColourScale::Kind::diverging, 40.0},
+              .score = [](const LawScore& cell) { return cell.against_measured.restitution; },
+              .spread = no_spread});
+}
+
 report::Section matrix_section(const std::vector<CoreStudy>& cores) {
   using Kind = report::ColourScale::Kind;
-  report::Section section{.title = "Which law holds where", .blocks = {}};
+  report::Section section{.title = "Which law holds where?", .blocks = {}};
   section.blocks.push_back(
       report::Paragraph{"Each cell is one law at one impact. A click shows the curves below."});
   section.blocks.push_back(matrix_of(
@@ -85,21 +97,14 @@ report::Section matrix_section(const std::vector<CoreStudy>& cores) {
               .scale = {Kind::sequential, 20.0},
               .score = [](const LawScore& cell) { return std::optional(cell.force_time_rms); },
               .spread = relative_force_spread}));
-  section.blocks.push_back(matrix_of(
+  section.details.push_back(matrix_of(
       cores, {.title = "Peak force against FE",
               .caption = "Law over FE, less one.",
               .quantity = "error of the peak force",
               .scale = {Kind::diverging, 20.0},
               .score = [](const LawScore& cell) { return cell.against_reference.peak_force; },
               .spread = relative_force_spread}));
-  section.blocks.push_back(matrix_of(
-      cores, {.title = "Restitution against the measurement",
-              .caption = "Law over measured restitution, less one.",
-              .quantity = "error of the restitution",
-              .scale = {Kind::diverging, 40.0},
-              .score = [](const LawScore& cell) { return cell.against_measured.restitution; },
-              .spread = no_spread}));
-  section.blocks.push_back(matrix_of(
+  section.details.push_back(matrix_of(
       cores, {.title = "Contact time against the measurement",
               .caption = "Law, by its separation rule, over measured contact time, less one.",
               .quantity = "error of the contact time",

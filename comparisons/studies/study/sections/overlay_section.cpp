@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comparisons/studies/study/study_report.hpp"
 #include "lumped/integration/simulate.hpp"
 
@@ -10,6 +12,8 @@ using report::milli;
 using report::Origin;
 using report::scaled;
 using report::Series;
+
+constexpr int drawn_points = 101;  // a pixel or two apart in the widest figure
 
 Series series_of(const std::string& name, Origin origin, Series::Role role) {
   return {.name = name,
@@ -33,8 +37,12 @@ FemCurve fem_curve(const StudyShot& shot) {
   FemCurve curve;
   const Trace& fine = shot.fem.trace;
   const Trace& coarse = shot.fem_coarse.trace;
-  for (std::size_t i = 0; i < fine.time.size(); ++i) {
-    if (fine.time[i] > shot.fem.scalars.contact_time) break;
+  const auto end = static_cast<std::size_t>(
+      std::upper_bound(fine.time.begin(), fine.time.end(), shot.fem.scalars.contact_time) -
+      fine.time.begin());
+  const std::size_t stride = std::max<std::size_t>(1, end / drawn_points);
+  // Every few samples, and the last.
+  for (std::size_t i = 0; i < end; i = i + 1 < end ? std::min(i + stride, end - 1) : end) {
     curve.trace.time.push_back(fine.time[i]);
     curve.trace.force.push_back(fine.force[i]);
     curve.trace.deflection.push_back(fine.deflection[i]);
@@ -89,7 +97,7 @@ void add_models(const CoreStudy& core, std::size_t s, Views& views) {
     const LumpedResult law = simulate({.sphere = core.data.sphere,
                                        .impact = core.shots[s].problem.impact,
                                        .model = core.laws[l].model,
-                                       .controls = {.samples = 201}});
+                                       .controls = {.samples = drawn_points}});
     const Origin origin = core.laws[l].fit ? Origin::fitted : Origin::predicted;
     views.add(core.laws[l].label, origin, Series::Role::candidate, law.trace);
   }
@@ -134,7 +142,7 @@ report::Table scalar_table(const CoreStudy& core, std::size_t s) {
                       .caption =
                           "FE ± distance between its two meshes. Contact time by "
                           "zero force; FE also above the instrument's threshold.",
-                      .columns = {{"", "", ColumnKind::text, {}},
+                      .columns = {{"by", "", ColumnKind::text, {}},
                                   {"restitution", "1", ColumnKind::number, {}},
                                   {"contact time", "ms", ColumnKind::number, {}},
                                   {"peak force", "N", ColumnKind::number, {}},
@@ -184,7 +192,7 @@ report::Table scalar_table(const CoreStudy& core, std::size_t s) {
 }  // namespace
 
 report::Section overlay_section(const std::vector<CoreStudy>& cores) {
-  report::Section section{.title = "The chosen impact", .blocks = {}};
+  report::Section section{.title = "What does one impact look like?", .blocks = {}};
   report::Overlays overlays{.id = "impacts", .chosen = {}, .items = {}};
   for (const auto& core : cores)
     for (std::size_t s = 0; s < core.shots.size(); ++s) {

@@ -23,7 +23,8 @@ void add_fit(report::Table& table, const std::string& what, const CalibrationRes
 }  // namespace
 
 report::Section parameter_section(const std::vector<CoreStudy>& cores) {
-  report::Section section{.title = "Fitted numbers", .blocks = {}};
+  report::Section section{.title = "Which numbers were fitted, and how well are they known?",
+                          .blocks = {}};
   report::Table table{.title = "Parameters with 95 % intervals",
                       .caption =
                           "Intervals by linearisation; where the model is wrong they are "

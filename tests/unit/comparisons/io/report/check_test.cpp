@@ -57,6 +57,19 @@ Series& band(Report& report) {
 
 const Fault faults[] = {
     {"NoHeadline", [](Report& r) { r.headline.clear(); }, "headline"},
+    {"LinkOut",
+     [](Report& r) {
+       std::get<Table>(r.sections[2].details[0]).rows[0][0].link = "https://example.org/a.html";
+     },
+     "no page beside this one"},
+    {"LinkUp",
+     [](Report& r) {
+       std::get<Table>(r.sections[2].details[0]).rows[0][0].link = "../secret.html";
+     },
+     "no page beside this one"},
+    {"FaultInDetails", [](Report& r) { std::get<Table>(r.sections[2].details[0]).columns.clear(); },
+     "no columns"},
+    {"FaultInLead", [](Report& r) { r.lead = {Table{}}; }, "no title"},
     {"NoSectionTitle", [](Report& r) { r.sections[0].title.clear(); }, "no title"},
     {"NoUnit", [](Report& r) { first<Figure>(r).x.unit.clear(); }, "no unit"},
     {"NoSeries", [](Report& r) { first<Figure>(r).series.clear(); }, "no series"},

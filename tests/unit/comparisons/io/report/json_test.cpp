@@ -19,7 +19,7 @@ TEST(ReportJson, CarriesItsSchemaAndEveryBlockItsKind) {
   EXPECT_EQ(kinds, expected);
 }
 
-TEST(ReportJson, NumbersRoundTrip) {
+TEST(ReportJson, DrawnNumbersKeepFiveDigitsAndStayFinite) {
   Report report{.title = "t", .subtitle = "", .headline = "h", .notices = {}, .sections = {}};
   Series series;
   series.name = "s";
@@ -29,7 +29,9 @@ TEST(ReportJson, NumbersRoundTrip) {
   report.sections = {{"s", Section::Folding::open, {figure}}};
   const auto back = nlohmann::json::parse(report_json(report).dump());
   const auto& drawn = back.at("sections")[0].at("blocks")[0].at("series")[0];
-  EXPECT_EQ(drawn.at("x").get<std::vector<double>>(), series.x);
+  EXPECT_EQ(drawn.at("x").get<std::vector<double>>(),
+            (std::vector<double>{0.1, 0.33333, 6.0221e23}));
+  // At the ends of the range five digits could be beyond it.
   EXPECT_EQ(drawn.at("y").get<std::vector<double>>(), series.y);
 }
 
@@ -48,6 +50,14 @@ TEST(ReportJson, SaysWhereEachNumberIsFrom) {
   const auto columns = report_json(report)["sections"][0]["blocks"][0]["columns"];
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(columns[i]["origin"], words[i]);
   EXPECT_TRUE(columns[4]["origin"].is_null());
+}
+
+TEST(ReportJson, EvidenceAndDetailsStandWithWhatTheyBelongTo) {
+  const auto object = report_json(report_tests::demo_report());
+  const auto& checks = object["sections"][2];
+  EXPECT_EQ(checks["blocks"][2]["evidence"], "Measured 3.1 mm, made-up reference 2.5 mm.");
+  ASSERT_EQ(checks["details"].size(), 1u);
+  EXPECT_EQ(checks["details"][0]["rows"][0][0]["link"], "pages/one.html");
 }
 
 TEST(ReportJson, MatrixCellWithoutAValueIsNull) {
