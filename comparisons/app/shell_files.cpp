@@ -184,7 +184,7 @@ std::string roff(const std::string& text) {
   std::string out = with_replaced(with_replaced(text, "\\", "\\e"), "-", "\\-");
   for (const char* first : {".", "'"}) {
     out = with_replaced(out, std::string("\n") + first, std::string("\n\\&") + first);
-    if (out.starts_with(first)) out = "\\&" + out;
+    if (out.starts_with(first)) out.insert(0, "\\&");
   }
   return out;
 }

@@ -63,9 +63,9 @@ std::vector<ChangedPlan> changed_plans(const SynthesisFile& plan) {
     ChangedPlan one{what, plan};
     if (change(one.plan)) all.push_back(std::move(one));
   };
-  for (const auto& [shot, factor] : {std::pair{*slow, slow_factor}, std::pair{*fast, fast_factor}})
-    add(fmt::format("one shot more at {:.3g} m/s", factor * shot.speed), [&](SynthesisFile& file) {
-      file.shots.push_back(at_times(shot, factor));
+  for (const SynthesisShot& more : {at_times(*slow, slow_factor), at_times(*fast, fast_factor)})
+    add(fmt::format("one shot more at {:.3g} m/s", more.speed), [&](SynthesisFile& file) {
+      file.shots.push_back(more);
       return true;
     });
   add("every shot twice as often", [](SynthesisFile& file) {

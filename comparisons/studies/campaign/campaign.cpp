@@ -241,6 +241,7 @@ std::string Campaign::digest() const {
 CampaignMembers make_members(const Campaign& campaign, DesignSampler& sampler,
                              const std::vector<std::size_t>& numbers) {
   std::vector<std::vector<double>> values;
+  values.reserve(numbers.size());
   for (const std::size_t number : numbers) values.push_back(sampler.at(number));
   CampaignMembers members(numbers.size());
   in_parallel(members.size(),

@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "lumped/integration/composed/composed_trace.hpp"
 #include "lumped/problem/error.hpp"
@@ -14,6 +15,10 @@ namespace {
 
 constexpr std::size_t most_attempts = 50'000;
 
+/// Turning, parting and touching again. Each is located by a score of trial steps, so that a
+/// contact that chatters would take a second, and a fit that strays there hours.
+constexpr int most_events = 400;
+
 /// States of most contacts. What few have beyond them costs the others nothing.
 constexpr std::size_t most_use = ComposedContact::further_relaxed;
 
@@ -23,6 +28,11 @@ Error no_way_on() {
   return {ExitCode::solver_failed,
           "a mechanism leaves its range during the contact: the force has no value beyond (the "
           "finite-sphere correction holds as long as the contact gives way more than the body)"};
+}
+
+Error chatters() {
+  return {ExitCode::solver_failed, "the contact turns, parts or touches again more than " +
+                                       std::to_string(most_events) + " times: it chatters"};
 }
 
 }  // namespace
@@ -123,6 +133,7 @@ const ComposedEnd& ComposedIntegrator::integrate() {
   contact_.derivative(start.phase, start.state, start.rate);
   step_ends_count_.clear();
   double h = scales.time * std::pow(tolerance, 0.4);  // forces start with t^1.5
+  int events = 0;
   for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
     Step step = step_of(start, h);
     const double error = error_norm(step);
@@ -145,6 +156,7 @@ const ComposedEnd& ComposedIntegrator::integrate() {
         return end_;
       }
       if (start.time > longest_contact * scales.time) throw contact_does_not_end();
+      if (found.any && ++events > most_events) throw chatters();
     }
     h *= std::clamp(0.9f * std::pow(static_cast<float>(error), -0.2f), 0.2f, 5.0f);
   }

@@ -52,7 +52,8 @@ ComposedContact::State state_within(const ComposedStepEnd& step_end, double frac
 /// EffectBattery.EnergyBalanceClosesAndCvodeAgreesWithTheFastPath. Caution: explicit: a branch far
 /// faster or a plate far stiffer than the
 ///          contact needs many steps; simulate() takes those.
-/// Errors:  Error(solver_failed) when the contact does not end or steps run out.
+/// Errors:  Error(solver_failed) when the contact does not end, turns or parts more than 400 times,
+///          or steps run out -> test PullCurvesTest.ABallThatIsHeldAndBouncesIsGivenUp.
 class ComposedIntegrator {
  public:
   explicit ComposedIntegrator(const ComposedContact& contact);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "lumped/problem/error.hpp"
 #include "tests/support/mechanism_cases.hpp"
@@ -100,6 +101,22 @@ TEST(PullCurvesTest, ABallThatIsHeldHasNoRestitution) {
   });
   problem.impact.speed = 1.0;
   for (auto run : {simulate, simulate_fast}) EXPECT_THROW(run(problem), Error);
+}
+
+// Pulled back again and again without loss: hundreds of touches, each found by trial.
+TEST(PullCurvesTest, ABallThatIsHeldAndBouncesIsGivenUp) {
+  auto problem = with(elastic_problem(), [](Mechanisms& m) {
+    m.pull = constant_pull(500.0, 0.5);
+    m.pull.beyond = fall();
+  });
+  problem.impact.speed = 3.0;
+  try {
+    simulate_fast(problem);
+    FAIL() << "it came away";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::solver_failed);
+    EXPECT_NE(std::string(error.what()).find("chatters"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
