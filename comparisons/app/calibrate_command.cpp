@@ -4,18 +4,15 @@
 #include <filesystem>
 #include <memory>
 
+#include "comparisons/app/calibrate_law.hpp"
 #include "comparisons/app/calibrate_material.hpp"
 #include "comparisons/app/calibration_output.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/inference/calibration/calibration_file.hpp"
 #include "comparisons/inference/calibration/material_calibration_file.hpp"
-#include "comparisons/inference/references/read_references.hpp"
-#include "comparisons/io/toml/describe_lumped.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
-#include "comparisons/io/toml/reader.hpp"
-#include "comparisons/io/toml/toml_writer.hpp"
 
 namespace rebound {
 namespace {
@@ -32,50 +29,19 @@ std::string calibrate_help() {
          exit_code_help();
 }
 
-std::vector<MeasuredImpact> read_shots(const Document& document, const CalibrationFile& file,
-                                       std::vector<std::string>& labels) {
-  std::vector<MeasuredImpact> shots;
-  for (const auto& reference : file.references)
-    for (auto& found : file.options.observable == Observable::scalars
-                           ? read_scalar_references(document.folder() / reference.folder)
-                           : read_references(document.folder() / reference.folder)) {
-      labels.push_back(found.label);
-      shots.push_back(std::move(found));
-    }
-  return shots;
-}
-
-/// The first reference's impact under the calibrated law.
-std::string impact_file_of(const LawCalibration& calibration,
-                           const std::vector<MeasuredImpact>& shots) {
-  return write_toml(LumpedProblem{.sphere = shots.front().sphere,
-                                  .impact = shots.front().impact,
-                                  .model = calibration.model,
-                                  .controls = {}});
-}
-
 ExitCode run_calibrate(const Session& session, const std::string& path) {
   const Document document = Document::load(path);
-  if (asks_for_material(document)) return calibrate_material_file(session, path, document);
-  CalibrationFile file;
-  read_document(document, file);
-  std::vector<std::string> labels;
-  const std::vector<MeasuredImpact> shots = read_shots(document, file, labels);
-  file.options.controls.checkpoint = checkpoint_of(session);
-  const LawCalibration calibration = [&] {
+  const auto run = asks_for_material(document) ? calibrate_material_file : calibrate_law_file;
+  const auto checkpoint = checkpoint_of(session);
+  const CalibrationOutput output = [&] {
     ProgressLine progress("calibration");
     try {
-      return calibrate(file.request, shots, file.options, progress.control());
+      return run(document, checkpoint, progress.control());
     } catch (const Error& error) {
-      throw annotate(error, document, file.options.controls.checkpoint);
+      throw annotate(error, checkpoint);
     }
   }();
-  return write_calibration(
-      session, document, path,
-      {.head = {{"schema", 1}, {"law", calibration.model.law}, {"references", labels}},
-       .fit = calibration.fit,
-       .seed = file.options.controls.seed,
-       .model_toml = impact_file_of(calibration, shots)});
+  return write_calibration(session, document, path, output);
 }
 
 }  // namespace

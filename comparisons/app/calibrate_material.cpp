@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/app/calibration_output.hpp"
-#include "comparisons/app/progress_line.hpp"
 #include "comparisons/inference/calibration/material_calibration.hpp"
 #include "comparisons/inference/calibration/material_calibration_file.hpp"
 #include "comparisons/inference/references/measured_impacts.hpp"
@@ -52,12 +50,10 @@ struct Fit {
 };
 
 Fit fit(const MaterialCalibrationFile& file, const FemProblem& start,
-        const std::vector<MeasuredImpact>& measured) {
+        const std::vector<MeasuredImpact>& measured, const RunControl& control) {
   const auto numbers = material_numbers(start.material, file.reach);
   std::vector<FreeMaterialNumber> free;
   for (const auto& key : file.free) free.push_back(find_material_number(numbers, key));
-  ProgressLine progress("calibration");
-  const RunControl control = progress.control();
   FemProblem slowest = start;
   slowest.impact =
       std::min_element(measured.begin(), measured.end(), [](const auto& a, const auto& b) {
@@ -75,18 +71,19 @@ bool asks_for_material(const Document& document) {
   return document.root()["tier"].value_or(std::string()) == "fem";
 }
 
-ExitCode calibrate_material_file(const Session& session, const std::string& path,
-                                 const Document& document) {
+CalibrationOutput calibrate_material_file(const Document& document,
+                                          const std::filesystem::path& checkpoint,
+                                          const RunControl& control) {
   MaterialCalibrationFile file;
   read_document(document, file);
   FemProblem problem = read_fem_file(document.folder() / file.model);
   const std::vector<MeasuredImpact> measured = measured_of(document, file, problem.sphere);
-  file.controls.checkpoint = checkpoint_of(session);
+  file.controls.checkpoint = checkpoint;
   auto [found, cells] = [&] {
     try {
-      return fit(file, problem, measured);
+      return fit(file, problem, measured, control);
     } catch (const Error& error) {
-      throw annotate(error, document, file.controls.checkpoint);
+      throw document.located(error);
     }
   }();
   std::vector<std::string> labels;
@@ -96,12 +93,10 @@ ExitCode calibrate_material_file(const Session& session, const std::string& path
   }
   problem.material = found.material;
   problem.impact.speed = measured.front().impact.speed;
-  return write_calibration(
-      session, document, path,
-      {.head = {{"schema", 1}, {"tier", "fem"}, {"cells", cells}, {"references", labels}},
-       .fit = found.fit,
-       .seed = file.controls.seed,
-       .model_toml = write_toml(problem)});
+  return {.head = {{"schema", 1}, {"tier", "fem"}, {"cells", cells}, {"references", labels}},
+          .fit = found.fit,
+          .seed = file.controls.seed,
+          .model_toml = write_toml(problem)};
 }
 
 }  // namespace rebound

@@ -15,20 +15,15 @@ std::filesystem::path checkpoint_of(const Session& session) {
   return session.out / "checkpoint.json";
 }
 
-Error annotate(const Error& error, const Document& document,
-               const std::filesystem::path& checkpoint) {
-  if (error.code() == ExitCode::interrupted && !checkpoint.empty())
-    return Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
-                 {.file = checkpoint.string()});
-  return error.location().file.empty() ? document.located(error) : error;
+Error annotate(const Error& error, const std::filesystem::path& checkpoint) {
+  if (error.code() != ExitCode::interrupted || checkpoint.empty()) return error;
+  return Error(error.code(), std::string(error.what()) + "; the same command goes on from here",
+               {.file = checkpoint.string()});
 }
 
 ExitCode write_calibration(const Session& session, const Document& document,
                            const std::string& path, const CalibrationOutput& output) {
-  Json json = output.head;
-  json.update(to_json(output.fit));
-  json["seed"] = output.seed;
-  json["model_toml"] = output.model_toml;
+  const Json json = to_json(output);
   if (!session.out.empty()) {
     Json stored = json;
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));

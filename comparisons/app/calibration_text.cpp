@@ -81,6 +81,14 @@ std::string failures(const BenchmarkMatrix& matrix) {
 
 }  // namespace
 
+Json to_json(const CalibrationOutput& output) {
+  Json json = output.head;
+  json.update(to_json(output.fit));
+  json["seed"] = output.seed;
+  json["model_toml"] = output.model_toml;
+  return json;
+}
+
 Json to_json(const CalibrationResult& result) {
   Json estimates = Json::array();
   for (const auto& e : result.estimates)

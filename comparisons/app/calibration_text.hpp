@@ -9,6 +9,15 @@
 /// Calibration and benchmark results as JSON and as text for a terminal.
 namespace rebound {
 
+/// A calibration as it leaves the program, whichever tier was calibrated.
+struct CalibrationOutput {
+  Json head;  ///< what was calibrated to what; comes first
+  CalibrationResult fit;
+  std::uint64_t seed = 1;
+  std::string model_toml;  ///< the calibrated model as an impact file
+};
+
+Json to_json(const CalibrationOutput& output);
 Json to_json(const CalibrationResult& result);
 std::string to_text(const CalibrationResult& result);
 

@@ -1,15 +1,30 @@
 #include "comparisons/models/installation.hpp"
 
-#include <array>
+#include <dlfcn.h>
+#include <link.h>
+
 #include <system_error>
+#include <vector>
 
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
+/// The file of the shared library that this code stands in; empty in a program.
+std::filesystem::path own_library() {
+  Dl_info info{};
+  link_map* map = nullptr;
+  const auto here = reinterpret_cast<void*>(&own_library);
+  if (::dladdr1(here, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) == 0 || !map)
+    return {};
+  return map->l_name;
+}
+
 std::filesystem::path program_folder() {
   std::error_code status;
+  if (const auto library = own_library(); !library.empty())
+    return std::filesystem::canonical(library, status).parent_path();
   const auto program = std::filesystem::read_symlink("/proc/self/exe", status);
   if (status)
     throw Error(ExitCode::input_output_failed,
@@ -17,20 +32,31 @@ std::filesystem::path program_folder() {
   return program.parent_path();
 }
 
+/// Folders that `cmake --install` may have put everything below, nearest first: a program lies one
+/// below, a module of Python deeper.
+std::vector<std::filesystem::path> prefixes() {
+  std::vector<std::filesystem::path> found;
+  for (auto folder = program_folder(); folder.has_relative_path(); folder = folder.parent_path())
+    found.push_back(folder);
+  return found;
+}
+
 std::filesystem::path shared_folder(const char* name, const char* of_the_sources) {
-  const auto installed = program_folder().parent_path() / "share/rebound" / name;
   std::error_code status;
-  return std::filesystem::is_directory(installed, status) ? installed : of_the_sources;
+  for (const auto& prefix : prefixes())
+    if (const auto installed = prefix / "share/rebound" / name;
+        std::filesystem::is_directory(installed, status))
+      return installed;
+  return of_the_sources;
 }
 
 }  // namespace
 
 std::filesystem::path module_file(const std::string& name) {
   const std::string file = "lib" + name + ".so";
-  const auto folder = program_folder();
-  const std::array<std::filesystem::path, 3> places = {
-      folder / file, folder.parent_path() / "lib/rebound" / file,
-      std::filesystem::path(REBOUND_MODULE_FOLDER) / file};
+  std::vector<std::filesystem::path> places = {program_folder() / file};
+  for (const auto& prefix : prefixes()) places.push_back(prefix / "lib/rebound" / file);
+  places.push_back(std::filesystem::path(REBOUND_MODULE_FOLDER) / file);
   std::error_code status;
   for (const auto& place : places)
     if (std::filesystem::exists(place, status)) return place;

@@ -80,8 +80,9 @@ Document Document::load(const std::filesystem::path& file) {
   return parse(read_text_file(file), file.string());
 }
 
-Document Document::parse(std::string text, std::string name) {
+Document Document::parse(std::string text, std::string name, PlainNumbers plain_numbers) {
   Document document;
+  document.plain_numbers_ = plain_numbers;
   document.name_ = std::move(name);
   document.text_ = std::move(text);
   try {

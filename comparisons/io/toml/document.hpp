@@ -9,17 +9,25 @@
 
 namespace rebound {
 
+/// What a number without a unit means where a unit is asked for.
+enum class PlainNumbers {
+  refused,  ///< as in files, where a reader cannot ask what was meant
+  are_si    ///< in input that a program made
+};
+
 /// A TOML file in memory, with the means to point at any part of it.
 class Document {
  public:
   /// Errors: Error(input_output_failed) for a file that cannot be read,
   /// Error(bad_input) for text that is not TOML, with line and column.
   static Document load(const std::filesystem::path& file);
-  static Document parse(std::string text, std::string name);
+  static Document parse(std::string text, std::string name,
+                        PlainNumbers plain_numbers = PlainNumbers::refused);
 
   const toml::table& root() const { return root_; }
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
+  PlainNumbers plain_numbers() const { return plain_numbers_; }
   std::filesystem::path folder() const { return std::filesystem::path(name_).parent_path(); }
 
   /// An error at a node; its value is quoted as the user wrote it.
@@ -51,6 +59,7 @@ class Document {
 
   std::string name_;
   std::string text_;
+  PlainNumbers plain_numbers_ = PlainNumbers::refused;
   toml::table root_;
 };
 

@@ -49,7 +49,7 @@ double Reader::read_number(const Key& key, const toml::node& node) const {
   } else if (node.is_number()) {
     value = node.value<double>().value_or(NAN);
     if (!std::isfinite(value)) throw refusal(key, node, "the number must be finite");
-    if (!key.unit.empty())
+    if (!key.unit.empty() && document_.plain_numbers() == PlainNumbers::refused)
       throw refusal(
           key, node,
           fmt::format("a number with its unit is needed, such as \"{:.6g} {}\"", value, key.unit));

@@ -1,18 +1,20 @@
 # What `cmake --install` lays down: the program with its data, the libraries and headers
-# of both tiers, and what find_package(rebound) reads.
+# of both tiers, what find_package(rebound) reads, and the Python module. Components are the
+# packages of package.cmake; without one named, all are installed.
 include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/rebound)
 
-install(TARGETS rebound RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS rebound RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 # Completions and manual pages, written by the program from its own table of options.
 install(CODE "
   execute_process(COMMAND \"$<TARGET_FILE:rebound>\" completion
     --out \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\"
-    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
-install(DIRECTORY comparisons/studies/data DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound)
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
+install(DIRECTORY comparisons/studies/data DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound COMPONENT data)
 install(FILES tests/mutations/faults.txt tests/mutations/results.tsv
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/mutations)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/mutations COMPONENT data)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 
 # rebound::lumped for laws and impacts; rebound::models for effects, the instrument and
 # the FE module, which it loads on first use.
@@ -23,7 +25,8 @@ foreach(library problem lumped fem_interface meshes models options)
   set_target_properties(rebound_${library} PROPERTIES EXPORT_NAME ${library})
 endforeach()
 if(REBOUND_FEM)
-  install(TARGETS rebound_fem rebound_gmsh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rebound)
+  install(TARGETS rebound_fem rebound_gmsh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rebound
+    COMPONENT fem)
 endif()
 foreach(room lumped fem/interface meshes comparisons/models)
   install(DIRECTORY ${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rebound/${room}
@@ -40,3 +43,14 @@ configure_package_config_file(comparisons/setup/cmake/rebound-config.cmake.in re
 write_basic_package_version_file(rebound-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rebound-config.cmake
   ${PROJECT_BINARY_DIR}/rebound-config-version.cmake DESTINATION ${package_folder})
+
+# Where this interpreter looks below a prefix: Debian's has a folder of its own.
+if(TARGET rebound_python)
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sysconfig
+schemes = sysconfig.get_scheme_names()
+scheme = 'deb_system' if 'deb_system' in schemes else 'posix_prefix'
+print(sysconfig.get_path('platlib', scheme, {'base': '', 'platbase': ''}).lstrip('/'))"
+    OUTPUT_VARIABLE python_folder OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  set(REBOUND_PYTHON_FOLDER ${python_folder} CACHE PATH "Where the Python module goes below the prefix")
+  install(TARGETS rebound_python LIBRARY DESTINATION ${REBOUND_PYTHON_FOLDER} COMPONENT python)
+endif()

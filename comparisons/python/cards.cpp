@@ -1,0 +1,75 @@
+#include "comparisons/models/effects/effect.hpp"
+#include "comparisons/python/binding.hpp"
+#include "lumped/laws/law_card.hpp"
+
+namespace rebound::python {
+namespace {
+
+Json parameter_of(const ParameterCard& card) {
+  // The unit of a stiffness depends on the exponent beside it; named at its typical value.
+  return {{"name", card.name},
+          {"sentence", card.sentence},
+          {"lowest", card.range.lowest},
+          {"highest", card.range.highest},
+          {"default", card.default_value ? Json(*card.default_value) : Json(nullptr)}};
+}
+
+Json law_of(const LawCard& card) {
+  Json parameters = Json::array();
+  for (const ParameterCard& parameter : card.parameters)
+    parameters.push_back(parameter_of(parameter));
+  return {{"name", card.name},
+          {"equation", card.equation},
+          {"source", card.source},
+          {"parameters", parameters}};
+}
+
+Json effect_of(const Effect& effect) {
+  const EffectCard& card = effect.card;
+  Json parameters = Json::array();
+  for (const EffectParameterCard& parameter : card.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"sentence", parameter.sentence},
+                          {"unit", unit_name(parameter.dimension)},
+                          {"lowest", parameter.range.lowest},
+                          {"highest", parameter.range.highest},
+                          {"default", parameter.default_value}});
+  Json acts = Json::array();
+  if (effect.to_lumped) acts.push_back("lumped");
+  if (effect.to_fem) acts.push_back("fem");
+  if (effect.to_measurement) acts.push_back("measurement");
+  return {{"name", card.name},
+          {"family", name_of(card.family)},
+          {"sentence", card.sentence},
+          {"equation", card.equation},
+          {"acts_on", acts},
+          {"unit", size_unit(card)},
+          {"null", card.null},
+          {"lowest", card.range.lowest},
+          {"highest", card.range.highest},
+          {"parameters", parameters},
+          {"signature", card.signature},
+          {"experiment", card.experiment},
+          {"source", card.source}};
+}
+
+template <class Cards, class Describe>
+py::object list_of(const Cards& cards, const Describe& one) {
+  Json list = Json::array();
+  for (const auto& card : cards) list.push_back(one(card));
+  return to_python(list);
+}
+
+}  // namespace
+
+void declare_cards(py::module_& module) {
+  module.def(
+      "laws", [] { return list_of(all_laws(), law_of); },
+      "Contact laws: name, equation, source, parameters. Ranges are in SI; None: no limit.");
+  module.def(
+      "effects", [] { return list_of(all_effects(), effect_of); },
+      "Effects that a model may lack: name, family, equation, what they act on, unit and range of\n"
+      "their size, parameters, where they show, what experiment would tell. In SI.");
+}
+
+}  // namespace rebound::python
