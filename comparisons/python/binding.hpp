@@ -4,7 +4,11 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "comparisons/io/results/json.hpp"
@@ -23,6 +27,7 @@ void declare_datasets(py::module_& module);
 void declare_lumped(py::module_& module);
 void declare_fem(py::module_& module);
 void declare_inference(py::module_& module);
+void declare_interruption(const py::module_& module);
 
 /// Numbers, texts, lists and dicts; what is not finite becomes None, as it does in JSON.
 py::object to_python(const Json& json);
@@ -46,10 +51,30 @@ inline constexpr const char* keywords_name = "keyword arguments";
 /// A read-only view of numbers that live as long as `owner`.
 py::array view(const std::vector<double>& values, const py::handle& owner);
 
+/// Numbers that the array takes over, in rows of `length`.
+py::array rows(std::vector<double> values, std::size_t length);
+
+/// Long work. It owns all that it touches, nothing of Python among it.
+using Work = std::function<void(const RunControl&)>;
+
 /// Does long work on a thread of its own without Python's lock, and looks for signals meanwhile:
-/// after Ctrl-C `interrupted` says so, and KeyboardInterrupt is raised once the work has ended.
+/// after Ctrl-C `interrupted` says so, and KeyboardInterrupt is raised within a second. A phase
+/// that does not look in that time, such as the set-up of a large mesh, ends behind it; the process
+/// waits for it at its own end.
+///
 /// Signals reach Python's main thread alone; calls from its other threads are not interrupted.
 /// Errors: those of the work; the exception that a signal's handler raised.
-void run_interruptibly(const std::function<void(const RunControl&)>& work);
+void run_interruptibly(Work work);
+
+/// The same of work that gives something back.
+template <class Compute>
+auto interruptible(Compute compute) {
+  using Result = std::invoke_result_t<Compute, const RunControl&>;
+  const auto result = std::make_shared<std::optional<Result>>();
+  run_interruptibly([compute = std::move(compute), result](const RunControl& control) {
+    *result = compute(control);
+  });
+  return std::move(result->value());
+}
 
 }  // namespace rebound::python

@@ -105,4 +105,13 @@ py::array view(const std::vector<double>& values, const py::handle& owner) {
   return array;
 }
 
+py::array rows(std::vector<double> values, std::size_t length) {
+  auto owned = std::make_unique<std::vector<double>>(std::move(values));
+  const std::vector<double>& numbers = *owned;
+  const py::capsule owner(owned.release(),
+                          [](void* held) { delete static_cast<std::vector<double>*>(held); });
+  return py::array_t<double>({length == 0 ? 0 : numbers.size() / length, length}, numbers.data(),
+                             owner);
+}
+
 }  // namespace rebound::python

@@ -37,19 +37,19 @@ py::dict energies_of(const FemResult& result) {
 
 FemResult simulate_fem(const Source& source) {
   const Document document = document_of(source, "fem");
-  FemProblem problem = read_fem_problem(document);
+  const FemProblem problem = read_fem_problem(document);
   if (problem.controls.field_frames != 0)
     throw document.error_at("controls.field_frames", "fields are written by `rebound fem --out`",
                             "0 in Python");
-  FemResult result;
-  run_interruptibly([&](const RunControl& control) {
+  return interruptible([document, problem](const RunControl& control) {
+    FemResult result;
     document.locating([&] {
       result = fem_tier().simulate(problem, mesh_for(problem, control), control);
       if (!result.incomplete_because.empty())
         throw Error(ExitCode::solver_failed, result.incomplete_because);
     });
+    return result;
   });
-  return result;
 }
 
 }  // namespace

@@ -22,9 +22,10 @@ std::filesystem::path path_of(const py::handle& path) {
 py::tuple synthesize_from(const Source& source, const py::object& out) {
   const Document document = document_of(source);
   const SynthesisFile file = read_synthesis(document);
-  Synthesis made;
-  run_interruptibly([&](const RunControl& control) {
-    document.locating([&] { made = synthesize(file, simulator_of(file, control), control); });
+  Synthesis made = interruptible([document, file](const RunControl& control) {
+    Synthesis found;
+    document.locating([&] { found = synthesize(file, simulator_of(file, control), control); });
+    return found;
   });
   if (!out.is_none()) write_dataset(made.dataset, path_of(out));
   const Json truth = truth_json(file, document.text(), made);
@@ -34,17 +35,15 @@ py::tuple synthesize_from(const Source& source, const py::object& out) {
 py::object calibrate_from(const Source& source) {
   const Document document = document_of(source);
   const auto run = asks_for_material(document) ? calibrate_material_file : calibrate_law_file;
-  Json found;
-  run_interruptibly(
-      [&](const RunControl& control) { found = to_json(run(document, {}, control)); });
-  return to_python(found);
+  return to_python(interruptible(
+      [document, run](const RunControl& control) { return to_json(run(document, {}, control)); }));
 }
 
 struct DiagnoseOptions {
-  std::optional<double> hold_out;
-  bool held_out;
-  std::uint64_t seed;
-  bool bootstrap;
+  std::optional<double> held_out_speed;
+  bool hold_out = true;
+  std::uint64_t seed = 1;
+  bool bootstrap = true;
 };
 
 py::object diagnose_from(const py::object& data, const Source& model,
@@ -59,14 +58,14 @@ py::object diagnose_from(const py::object& data, const Source& model,
   request.believed = believed.model;
   request.believed_effects = believed.effects;
   request.seed = options.seed;
-  request.hold_out = options.held_out;
-  request.held_out_speed = options.hold_out;
+  request.hold_out = options.hold_out;
+  request.held_out_speed = options.held_out_speed;
   if (!options.bootstrap) request.rules.bootstrap_draws = 0;
-  Json found;
-  run_interruptibly([&](const RunControl& control) {
+  return to_python(interruptible([document, request](const RunControl& control) {
+    Json found;
     document.locating([&] { found = to_json(diagnose(request, control)); });
-  });
-  return to_python(found);
+    return found;
+  }));
 }
 
 }  // namespace
@@ -98,8 +97,8 @@ void declare_inference(py::module_& module) {
          const std::optional<double>& held_out_speed, bool hold_out, std::uint64_t seed,
          bool bootstrap, const py::kwargs& tables) {
         return diagnose_from(data, {model, text, tables},
-                             {.hold_out = held_out_speed,
-                              .held_out = hold_out,
+                             {.held_out_speed = held_out_speed,
+                              .hold_out = hold_out,
                               .seed = seed,
                               .bootstrap = bootstrap});
       },

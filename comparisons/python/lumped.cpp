@@ -1,7 +1,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <map>
 #include <memory>
 
 #include "comparisons/io/toml/describe_lumped.hpp"
@@ -16,22 +17,22 @@
 namespace rebound::python {
 namespace {
 
-/// An impact that was read and checked; numbers of it may be replaced.
+/// An impact that was read and checked; numbers of it may be replaced. Copies share what they hold.
 class Problem {
  public:
-  explicit Problem(std::shared_ptr<const Document> document) : document_(std::move(document)) {
+  explicit Problem(Document document)
+      : document_(std::make_shared<const Document>(std::move(document))) {
     read_lumped_impact(*document_);  // for its errors, that of another tier's file among them
-    read_document(*document_, file_);
-    complete();
+    LumpedImpactFile file;
+    read_document(*document_, file);
+    hold(std::move(file));
   }
 
   /// The same impact with other numbers, by the key paths of its file, in SI.
   Problem with(const std::map<std::string, double>& numbers) const {
-    Problem changed = *this;
+    LumpedImpactFile file = *file_;
     std::map<std::string, double> left = numbers;
-    std::string known;
     const EachNumber::Look look = [&](const std::string& path, const Key& key, double& value) {
-      known += (known.empty() ? "" : ", ") + path;
       const auto found = left.find(path);
       if (found == left.end()) return;
       require_in_range(key.range, found->second, {}, path.c_str(), key.unit.c_str());
@@ -39,40 +40,48 @@ class Problem {
       left.erase(found);
     };
     EachNumber visitor(look);
-    describe(visitor, changed.file_);
-    if (!left.empty())
-      throw Error(ExitCode::bad_input, "the impact gives no number of this name",
-                  {.key = left.begin()->first, .allowed = known});
-    changed.complete();
+    describe(visitor, file);
+    if (!left.empty()) refuse_name(left.begin()->first);
+    Problem changed = *this;
+    changed.hold(std::move(file));
     return changed;
   }
 
-  const LumpedProblem& solved() const { return solved_; }
+  const LumpedProblem& solved() const { return *solved_; }
   const Document& document() const { return *document_; }
 
-  Json numbers() {
+  Json numbers() const {
     Json all = Json::object();
     const EachNumber::Look look = [&](const std::string& path, const Key&, double& value) {
       all[path] = value;
     };
+    LumpedImpactFile file = *file_;
     EachNumber visitor(look);
-    describe(visitor, file_);
+    describe(visitor, file);
     return all;
   }
 
  private:
-  void complete() {
-    LumpedImpactFile file = file_;  // what follows from other numbers is found anew each time
-    solved_ = complete_impact(*document_, file);
+  /// What follows from other numbers, such as damping from a restitution, is found anew each time.
+  void hold(LumpedImpactFile file) {
+    file_ = std::make_shared<const LumpedImpactFile>(file);
+    solved_ = std::make_shared<const LumpedProblem>(complete_impact(*document_, file));
+  }
+
+  [[noreturn]] void refuse_name(const std::string& name) const {
+    std::string known;
+    for (const auto& [key, value] : numbers().items()) known += (known.empty() ? "" : ", ") + key;
+    throw Error(ExitCode::bad_input, "the impact gives no number of this name",
+                {.key = name, .allowed = known});
   }
 
   std::shared_ptr<const Document> document_;
-  LumpedImpactFile file_;
-  LumpedProblem solved_;
+  std::shared_ptr<const LumpedImpactFile> file_;
+  std::shared_ptr<const LumpedProblem> solved_;
 };
 
 Problem problem_of(const Source& source) {
-  return Problem(std::make_shared<const Document>(document_of(source, "lumped")));
+  return Problem(document_of(source, "lumped"));
 }
 
 LumpedResult simulate_one(const Problem& problem) {
@@ -92,19 +101,6 @@ LumpedResult simulate_soon(const LumpedProblem& problem) {
   }
 }
 
-/// Rows of an array of doubles, one a problem, filled without Python's lock.
-struct Rows {
-  Rows(std::size_t count, std::size_t samples)
-      : array({count, samples}), data(array.mutable_data()), length(samples) {}
-  void set(std::size_t row, const std::vector<double>& values) const {
-    std::copy(values.begin(), values.end(), data + row * length);
-  }
-
-  py::array_t<double> array;
-  double* data;
-  std::size_t length;
-};
-
 constexpr std::array<std::pair<const char*, double ImpactScalars::*>, 7> scalar_members{{
     {"restitution", &ImpactScalars::restitution},
     {"contact_time", &ImpactScalars::contact_time},
@@ -115,43 +111,64 @@ constexpr std::array<std::pair<const char*, double ImpactScalars::*>, 7> scalar_
     {"rebound_speed", &ImpactScalars::rebound_speed},
 }};
 
-py::dict simulate_many(const std::vector<const Problem*>& problems, int threads, bool traces) {
-  const std::size_t count = problems.size();
-  const auto samples =
-      static_cast<std::size_t>(count == 0 ? 0 : problems.front()->solved().controls.samples);
-  for (std::size_t i = 0; i < count; ++i)
-    if (static_cast<std::size_t>(problems[i]->solved().controls.samples) != samples)
+/// Results of many impacts, one row a problem.
+struct Many {
+  Many(std::size_t count, std::size_t samples)
+      : scalars(count), time(count * samples), force(time.size()), deflection(time.size()) {}
+
+  std::vector<ImpactScalars> scalars;
+  std::vector<double> time, force, deflection;
+};
+
+std::size_t common_samples(const std::vector<Problem>& problems) {
+  const int samples = problems.empty() ? 0 : problems.front().solved().controls.samples;
+  for (const Problem& problem : problems)
+    if (problem.solved().controls.samples != samples)
       throw Error(ExitCode::bad_input, "problems of one call need one number of samples",
                   {.key = "controls.samples",
-                   .value = std::to_string(problems[i]->solved().controls.samples),
+                   .value = std::to_string(problem.solved().controls.samples),
                    .allowed = std::to_string(samples) + ", as in the first"});
-  const std::size_t length = traces ? samples : 0;
-  const Rows time(count, length), force(count, length), deflection(count, length);
-  std::vector<ImpactScalars> scalars(count);
-  run_interruptibly([&](const RunControl& control) {
+  return static_cast<std::size_t>(samples);
+}
+
+Many compute_many(const std::vector<Problem>& problems, std::size_t samples,
+                  const RunControl& control) {
+  Many many(problems.size(), samples);
+  in_parallel(problems.size(), [&](std::size_t i) {
+    if (control.interrupted()) throw Error(ExitCode::interrupted, "interrupted");
+    const Problem& problem = problems[i];
+    LumpedResult result;
+    problem.document().locating([&] { result = simulate_soon(problem.solved()); });
+    many.scalars[i] = result.scalars;
+    const auto put = [&](const std::vector<double>& from, std::vector<double>& to) {
+      if (samples != 0)
+        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(i * samples));
+    };
+    put(result.trace.time, many.time);
+    put(result.trace.force, many.force);
+    put(result.trace.deflection, many.deflection);
+  });
+  return many;
+}
+
+py::dict simulate_many(const std::vector<Problem>& problems, int threads, bool traces) {
+  const std::size_t samples = traces ? common_samples(problems) : 0;
+  Many many = interruptible([problems, samples, threads](const RunControl& control) {
     std::optional<ThreadLimit> limit;
     if (threads != 0) limit.emplace(threads);
-    in_parallel(count, [&](std::size_t i) {
-      if (control.interrupted()) throw Error(ExitCode::interrupted, "interrupted");
-      LumpedResult result;
-      problems[i]->document().locating([&] { result = simulate_soon(problems[i]->solved()); });
-      scalars[i] = result.scalars;
-      if (!traces) return;
-      time.set(i, result.trace.time);
-      force.set(i, result.trace.force);
-      deflection.set(i, result.trace.deflection);
-    });
+    return compute_many(problems, samples, control);
   });
   py::dict found;
   for (const auto& [name, member] : scalar_members) {
-    py::array_t<double> column(static_cast<py::ssize_t>(count));
-    for (std::size_t i = 0; i < count; ++i) column.mutable_at(i) = scalars[i].*member;
+    py::array_t<double> column(static_cast<py::ssize_t>(many.scalars.size()));
+    for (std::size_t i = 0; i < many.scalars.size(); ++i)
+      column.mutable_data()[i] = many.scalars[i].*member;
     found[name] = column;
   }
   if (!traces) return found;
-  found["time"] = time.array;
-  found["force"] = force.array;
-  found["deflection"] = deflection.array;
+  found["time"] = rows(std::move(many.time), samples);
+  found["force"] = rows(std::move(many.force), samples);
+  found["deflection"] = rows(std::move(many.deflection), samples);
   return found;
 }
 
@@ -178,7 +195,7 @@ void declare_lumped(py::module_& module) {
            "The same impact with other numbers: {'impact.speed': 12.0}, in SI. The result is\n"
            "checked as a file is. Errors name the key and what is allowed.")
       .def_property_readonly(
-          "numbers", [](Problem& problem) { return to_python(problem.numbers()); },
+          "numbers", [](const Problem& problem) { return to_python(problem.numbers()); },
           "All numbers of the impact in SI, by the key paths that replace() takes.")
       .def("simulate", &simulate_one, "The impact, by CVODE: a LumpedResult.");
 

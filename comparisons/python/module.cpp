@@ -23,4 +23,5 @@ PYBIND11_MODULE(rebound_impact, module) {
   declare_lumped(module);
   declare_fem(module);
   declare_inference(module);
+  declare_interruption(module);
 }

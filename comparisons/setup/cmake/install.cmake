@@ -44,13 +44,6 @@ write_basic_package_version_file(rebound-config-version.cmake COMPATIBILITY Same
 install(FILES ${PROJECT_BINARY_DIR}/rebound-config.cmake
   ${PROJECT_BINARY_DIR}/rebound-config-version.cmake DESTINATION ${package_folder})
 
-# Where this interpreter looks below a prefix: Debian's has a folder of its own.
 if(TARGET rebound_python)
-  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sysconfig
-schemes = sysconfig.get_scheme_names()
-scheme = 'deb_system' if 'deb_system' in schemes else 'posix_prefix'
-print(sysconfig.get_path('platlib', scheme, {'base': '', 'platbase': ''}).lstrip('/'))"
-    OUTPUT_VARIABLE python_folder OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-  set(REBOUND_PYTHON_FOLDER ${python_folder} CACHE PATH "Where the Python module goes below the prefix")
   install(TARGETS rebound_python LIBRARY DESTINATION ${REBOUND_PYTHON_FOLDER} COMPONENT python)
 endif()

@@ -1,0 +1,48 @@
+# `cpack -G DEB` in the build folder: rebound (the lumped tier alone, no deal.II), rebound-fem,
+# python3-rebound-impact, and librebound-dev for programs that link the libraries. What each
+# needs is found by dpkg-shlibdeps in what it holds.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rebound)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "The authors of Rebound <rebound@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Reference models of a ball hitting a rigid plate")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL program data development)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Contact laws, diagnosis, studies: the program.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME rebound)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "rebound-data (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS rebound-fem)
+
+set(CPACK_COMPONENT_DATA_DESCRIPTION "Data sets and published constants.")
+set(CPACK_DEBIAN_DATA_PACKAGE_NAME rebound-data)
+set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DATA_PACKAGE_SHLIBDEPS OFF)
+
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers: find_package(rebound).")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librebound-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "libsundials-dev, libboost-dev, libboost-math-dev, libtbb-dev, libfmt-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+
+if(REBOUND_FEM)
+  list(APPEND CPACK_COMPONENTS_ALL fem)
+  set(CPACK_COMPONENT_FEM_DESCRIPTION "The finite-element tier and the reader of mesh files.")
+  set(CPACK_DEBIAN_FEM_PACKAGE_NAME rebound-fem)
+endif()
+if(TARGET rebound_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module rebound_impact.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rebound-impact)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "rebound-data (= ${PROJECT_VERSION}), python3-numpy, python3 (>= 3.9)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS rebound-fem)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+endif()
+include(CPack)
