@@ -70,7 +70,8 @@ class Problem {
 
   [[noreturn]] void refuse_name(const std::string& name) const {
     std::string known;
-    for (const auto& [key, value] : numbers().items()) known += (known.empty() ? "" : ", ") + key;
+    const Json all = numbers();
+    for (const auto& [key, value] : all.items()) known += (known.empty() ? "" : ", ") + key;
     throw Error(ExitCode::bad_input, "the impact gives no number of this name",
                 {.key = name, .allowed = known});
   }

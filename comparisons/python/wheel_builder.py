@@ -56,8 +56,11 @@ def _build(settings):
 
 
 def _place(path, prefix, data):
-    """Where a file of the prefix stands in the wheel: a module at its root, the rest in its data."""
-    return path.name if path.name.startswith("rebound_impact.") else f"{data}/{path.relative_to(prefix)}"
+    """Where a file of the prefix stands in the wheel: libraries at its root, the rest in its data.
+
+    The module looks for the FE tier beside itself; `pip install --target` loses data below lib/.
+    """
+    return path.name if path.suffix == ".so" else f"{data}/{path.relative_to(prefix)}"
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -74,7 +77,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         for component in COMPONENTS:
             _run("cmake", "--install", folder, "--prefix", prefix, "--component", component)
         for path in sorted(pathlib.Path(prefix).rglob("*")):
-            if path.is_file():
+            if path.is_file() and not path.match("doc/*/*"):
                 files[_place(path, prefix, f"{name}.data/data")] = path.read_bytes()
     if not any(path.startswith("rebound_impact.") for path in files):
         raise RuntimeError(f"{folder} holds no Python module: was pybind11 missing when it was configured?")

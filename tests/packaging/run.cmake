@@ -1,17 +1,6 @@
 # Installs the build into a folder of its own, builds the consumer against it, and runs
 # it, the installed program beside it. In: BUILD, SOURCE, FOLDER, GENERATOR.
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${ARGV}\nended with ${status}:\n${text}")
-  endif()
-  set(output "${text}" PARENT_SCOPE)
-endfunction()
-function(expect pattern)
-  if(NOT output MATCHES "${pattern}")
-    message(FATAL_ERROR "expected ${pattern} in:\n${output}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run_and_expect.cmake)
 
 file(REMOVE_RECURSE ${FOLDER})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/usr)

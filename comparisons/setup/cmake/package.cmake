@@ -1,10 +1,12 @@
 # `cpack -G DEB` in the build folder: rebound (the lumped tier alone, no deal.II), rebound-fem,
 # python3-rebound-impact, and librebound-dev for programs that link the libraries. What each
 # needs is found by dpkg-shlibdeps in what it holds.
+# Packs what is built, as `cmake --install` installs it: nothing waits for tests to be compiled.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rebound)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "The authors of Rebound <rebound@localhost>")
+set(CPACK_PACKAGE_CONTACT "The Rebound authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Reference models of a ball hitting a rigid plate")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -36,6 +38,7 @@ if(REBOUND_FEM)
   list(APPEND CPACK_COMPONENTS_ALL fem)
   set(CPACK_COMPONENT_FEM_DESCRIPTION "The finite-element tier and the reader of mesh files.")
   set(CPACK_DEBIAN_FEM_PACKAGE_NAME rebound-fem)
+  set(CPACK_DEBIAN_FEM_PACKAGE_DEPENDS "rebound-data (= ${PROJECT_VERSION})")
 endif()
 if(TARGET rebound_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
