@@ -62,7 +62,8 @@ void check_header(const std::filesystem::path& file) {
   std::array<char, header_size> bytes{};
   in.read(bytes.data(), header_size);
   constexpr std::size_t version_place = 60, application_place = 68;  // of SQLite's file format
-  if (in.gcount() != header_size || !std::string_view(bytes.data(), header_size).starts_with("SQLite format 3"))
+  if (in.gcount() != header_size ||
+      !std::string_view(bytes.data(), header_size).starts_with("SQLite format 3"))
     refuse(file, "this is not a store of campaigns, or its beginning is damaged");
   if (big_endian(bytes, application_place) != application)
     refuse(file, "this SQLite file is not a store of campaigns");
