@@ -15,6 +15,10 @@ namespace {
                .allowed = "numbers, texts, truth values, lists and dicts"});
 }
 
+std::string element_path(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
 toml::table table_of(const py::dict& dict, const std::string& path);
 toml::array array_of(const py::handle& sequence, const std::string& path);
 
@@ -35,8 +39,8 @@ void convert(const py::handle& value, const std::string& path, const Put& put) {
 toml::array array_of(const py::handle& sequence, const std::string& path) {
   toml::array array;
   for (const py::handle element : sequence)
-    convert(element, path + "[" + std::to_string(array.size()) + "]",
-            [&](auto&& one) { array.push_back(std::move(one)); });
+    convert(element, element_path(path, array.size()),
+            [&](auto&& one) { array.push_back(std::forward<decltype(one)>(one)); });
   return array;
 }
 
@@ -46,7 +50,7 @@ toml::table table_of(const py::dict& dict, const std::string& path) {
     if (value.is_none()) continue;  // as an argument that is not given
     const auto key = name.cast<std::string>();
     convert(value, path.empty() ? key : path + "." + key,
-            [&](auto&& one) { table.insert_or_assign(key, std::move(one)); });
+            [&](auto&& one) { table.insert_or_assign(key, std::forward<decltype(one)>(one)); });
   }
   return table;
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "comparisons/python/binding.hpp"
 
 namespace rebound::python {
@@ -71,7 +73,7 @@ void declare_error(py::module_& module) {
   module.attr("Error") = py::reinterpret_borrow<py::object>(error_class);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const Error& error) {
       raise(error);
     }
