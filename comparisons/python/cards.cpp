@@ -5,19 +5,23 @@
 namespace rebound::python {
 namespace {
 
-Json parameter_of(const ParameterCard& card) {
-  // The unit of a stiffness depends on the exponent beside it; named at its typical value.
+/// The unit of a stiffness depends on the exponent beside it: told at the typical one.
+Json parameter_of(const ParameterCard& card, const ParameterValues& typical) {
   return {{"name", card.name},
           {"sentence", card.sentence},
+          {"unit", unit_name(card.dimension(typical))},
           {"lowest", card.range.lowest},
           {"highest", card.range.highest},
           {"default", card.default_value ? Json(*card.default_value) : Json(nullptr)}};
 }
 
 Json law_of(const LawCard& card) {
+  ParameterValues typical;
+  for (const ParameterCard& parameter : card.parameters)
+    typical[parameter.name] = parameter.default_value.value_or(parameter.typical);
   Json parameters = Json::array();
   for (const ParameterCard& parameter : card.parameters)
-    parameters.push_back(parameter_of(parameter));
+    parameters.push_back(parameter_of(parameter, typical));
   return {{"name", card.name},
           {"equation", card.equation},
           {"source", card.source},
@@ -65,7 +69,8 @@ py::object list_of(const Cards& cards, const Describe& one) {
 void declare_cards(py::module_& module) {
   module.def(
       "laws", [] { return list_of(all_laws(), law_of); },
-      "Contact laws: name, equation, source, parameters. Ranges are in SI; None: no limit.");
+      "Contact laws: name, equation, source, parameters. Ranges are in SI; None: no limit. A unit\n"
+      "that depends on an exponent is that at its usual value.");
   module.def(
       "effects", [] { return list_of(all_effects(), effect_of); },
       "Effects that a model may lack: name, family, equation, what they act on, unit and range of\n"

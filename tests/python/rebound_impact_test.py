@@ -162,6 +162,7 @@ class CardsTest(unittest.TestCase):
         numbers = [p["name"] for p in laws["hunt-crossley"]["parameters"]]
         self.assertEqual(numbers, ["exponent", "stiffness", "damping"])
         self.assertEqual(laws["hunt-crossley"]["parameters"][0]["highest"], 5.0)
+        self.assertEqual(laws["hunt-crossley"]["parameters"][1]["unit"], "N/m^1.5")
 
     def test_effects(self):
         effects = {effect["name"]: effect for effect in ri.effects()}

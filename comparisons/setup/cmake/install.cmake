@@ -11,7 +11,10 @@ install(CODE "
   execute_process(COMMAND \"$<TARGET_FILE:rebound>\" completion
     --out \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\"
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
-install(DIRECTORY comparisons/studies/data DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound COMPONENT data)
+# The main job: `rebound study PREFIX/share/rebound/sliotar.toml --out FOLDER`.
+install(DIRECTORY comparisons/studies/data comparisons/studies/experiments
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound COMPONENT data)
+install(FILES comparisons/studies/sliotar.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound COMPONENT data)
 install(FILES tests/mutations/faults.txt tests/mutations/results.tsv
   DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/mutations COMPONENT data)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
