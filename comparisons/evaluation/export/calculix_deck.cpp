@@ -11,12 +11,14 @@ namespace rebound {
 namespace {
 
 constexpr double wedge = 2.0;  ///< angle of the ball's part [degrees]
+constexpr double half_angle = wedge * std::numbers::pi / 360.0;
 
 class CalculixDeck {
  public:
   CalculixDeck(const ImpactToExport& impact, const QuadraticSection& section)
-      : impact_(impact), section_(section),
-        sector_(sector_of(section, wedge * std::numbers::pi / 180.0)) {}
+      : impact_(impact),
+        section_(section),
+        sector_(sector_of(section, {.from = -half_angle, .to = half_angle})) {}
 
   DeckBody body() {
     write_mesh();
@@ -55,7 +57,7 @@ class CalculixDeck {
   /// One brick under the wedge, wider than the ball.
   void write_plate() {
     const double across = 1.5 * impact_.problem.sphere.radius(), deep = 0.1 * across;
-    const double half = across * std::tan(0.5 * sector_.angle) + deep;
+    const double half = across * std::tan(half_angle) + deep;
     text_ += "*NODE, NSET=PLATE\n";
     int node = node_count();
     for (const double z : {-deep, 0.0})
@@ -90,8 +92,8 @@ class CalculixDeck {
 
   void write_supports() {
     text_ += "*NSET, NSET=AXIS\n" + number_lines(sector_.axis);
-    text_ += "*NSET, NSET=SIDES\n" + number_lines(sector_.sides[0]) +
-             number_lines(sector_.sides[1]);
+    text_ += "*NSET, NSET=SIDES\n" + number_lines(sector_.first_plane) +
+             number_lines(sector_.last_plane);
     text_ +=
         "** No motion around the axis z on the sides of the wedge.\n"
         "*TRANSFORM, NSET=SIDES, TYPE=C\n0, 0, 0, 0, 0, 1\n"
@@ -103,15 +105,15 @@ class CalculixDeck {
   void write_step() {
     const double step = 0.5 * impact_.interval;
     text_ += fmt::format(
-        "*STEP, NLGEOM, INC={}\n** alpha = 0 takes no energy; a fixed step, half the output's.\n"
-        "*DYNAMIC, DIRECT, ALPHA=0\n{:.12g}, {:.12g}\n",
+        "*STEP, NLGEOM, INC={}\n** A fixed step, half the output's.\n"
+        "*DYNAMIC, DIRECT\n{:.12g}, {:.12g}\n",
         10 + static_cast<long>(std::ceil(impact_.end_time / step)), step, impact_.end_time);
     if (impact_.problem.gravity > 0.0)
       text_ += fmt::format("*DLOAD\nBALL, GRAV, {:.12g}, 0, 0, -1\n", impact_.problem.gravity);
     text_ += fmt::format(
         "** The force on the whole plate is {:.12g} times the sum over its nodes.\n"
         "*NODE PRINT, NSET=PLATE, TOTALS=ONLY, FREQUENCY=1\nRF\n"
-        "*NODE FILE, FREQUENCY=20\nU\n*EL FILE, FREQUENCY=20\nS\n*END STEP\n",
+        "*END STEP\n",
         360.0 / wedge);
   }
 

@@ -94,47 +94,82 @@ QuadraticSection quadratic_section(const Mesh& mesh, double radius) {
   return section;
 }
 
-Sector sector_of(const QuadraticSection& section, double angle) {
+namespace {
+
+/// Copies of each node of the section around the axis, two a slice; odd ones of corners alone.
+class SectorBuilder {
+ public:
+  SectorBuilder(const QuadraticSection& section, const SectorRequest& request)
+      : section_(section), request_(request), is_corner_(section.nodes.size(), false) {
+    for (const auto& cell : section.cells)
+      for (int i = 0; i < 4; ++i) is_corner_[cell[i]] = true;
+  }
+
+  Sector build() {
+    add_nodes();
+    for (int slice = 0; slice < request_.slices; ++slice) add_slice(slice);
+    return std::move(sector_);
+  }
+
+ private:
+  void add_nodes();
+  void add_slice(int slice);
+
+  const QuadraticSection& section_;
+  const SectorRequest& request_;
+  std::vector<bool> is_corner_;
+  std::vector<std::vector<int>> copies_;
+  Sector sector_;
+};
+
+void SectorBuilder::add_nodes() {
   double reach = 0.0;
-  for (const Place& p : section.nodes) reach = std::max(reach, p[0]);
-  Sector sector{.angle = angle};
-  std::vector<std::array<int, 3>> copies;  // at −, 0, + half the angle
-  std::vector<bool> has_middle(section.nodes.size(), false);
-  for (const auto& cell : section.cells)
-    for (int i = 0; i < 4; ++i) has_middle[cell[i]] = true;
-  for (std::size_t i = 0; i < section.nodes.size(); ++i) {
-    const double r = section.nodes[i][0], z = section.nodes[i][1];
-    const auto add = [&](double turned) {
-      sector.nodes.push_back({r * std::cos(turned), r * std::sin(turned), z});
-      return static_cast<int>(sector.nodes.size()) - 1;
-    };
+  for (const Place& p : section_.nodes) reach = std::max(reach, p[0]);
+  const int turns = 2 * request_.slices;
+  for (std::size_t i = 0; i < section_.nodes.size(); ++i) {
+    const double r = section_.nodes[i][0], z = section_.nodes[i][1];
+    const int next = static_cast<int>(sector_.nodes.size());
     if (r <= 1e-9 * reach) {
-      const int node = static_cast<int>(sector.nodes.size());
-      sector.nodes.push_back({0.0, 0.0, z});
-      sector.axis.push_back(node);
-      copies.push_back({node, node, node});
+      sector_.nodes.push_back({0.0, 0.0, z});
+      sector_.axis.push_back(next);
+      copies_.emplace_back(turns + 1, next);
       continue;
     }
-    const int first = add(-0.5 * angle);
-    const int second = has_middle[i] ? add(0.0) : -1;
-    const int third = add(0.5 * angle);
-    sector.sides[0].push_back(first);
-    sector.sides[1].push_back(third);
-    copies.push_back({first, second, third});
-  }
-  for (const auto& cell : section.cells) {
-    std::array<int, 20> brick{};  // counter-clockwise in (r, z) looks along −y: begin at +
-    for (int i = 0; i < 4; ++i) {
-      brick[i] = copies[cell[i]][2];
-      brick[4 + i] = copies[cell[i]][0];
-      brick[8 + i] = copies[cell[4 + i]][2];
-      brick[12 + i] = copies[cell[4 + i]][0];
-      brick[16 + i] = copies[cell[i]][1];
+    copies_.emplace_back(turns + 1, -1);
+    for (int turn = 0; turn <= turns; ++turn) {
+      if (turn % 2 == 1 && !is_corner_[i]) continue;
+      const double angle = request_.from + (request_.to - request_.from) * turn / turns;
+      copies_.back()[turn] = static_cast<int>(sector_.nodes.size());
+      sector_.nodes.push_back({r * std::cos(angle), r * std::sin(angle), z});
     }
-    sector.bricks.push_back(brick);
+    sector_.first_plane.push_back(copies_.back().front());
+    sector_.last_plane.push_back(copies_.back().back());
   }
-  sector.contact_faces = section.contact_sides;
-  return sector;
+}
+
+void SectorBuilder::add_slice(int slice) {
+  // Counter-clockwise in (r, z) looks against the turning: the brick begins at the larger angle.
+  const int begin = 2 * slice + 2, middle = begin - 1, end = begin - 2;
+  const int before = static_cast<int>(sector_.bricks.size());
+  for (const auto& cell : section_.cells) {
+    std::array<int, 20> brick{};
+    for (int i = 0; i < 4; ++i) {
+      brick[i] = copies_[cell[i]][begin];
+      brick[4 + i] = copies_[cell[i]][end];
+      brick[8 + i] = copies_[cell[4 + i]][begin];
+      brick[12 + i] = copies_[cell[4 + i]][end];
+      brick[16 + i] = copies_[cell[i]][middle];
+    }
+    sector_.bricks.push_back(brick);
+  }
+  for (const auto& side : section_.contact_sides)
+    sector_.contact_faces.push_back({before + side[0], side[1]});
+}
+
+}  // namespace
+
+Sector sector_of(const QuadraticSection& section, const SectorRequest& request) {
+  return SectorBuilder(section, request).build();
 }
 
 }  // namespace rebound

@@ -20,18 +20,23 @@ struct QuadraticSection {
 /// Limit: volume of a sphere within 1e-5 at 250 cells -> test SectorTest.VolumeOfTheSphere
 QuadraticSection quadratic_section(const Mesh& mesh, double radius);
 
-/// A thin wedge about the axis z, in bricks of twenty nodes whose sides on the axis have
-/// shrunk to a point. Its planes lie at ∓ half the angle about y = 0.
+/// A part of the body about the axis z, in bricks of twenty nodes whose sides on the axis have
+/// shrunk to a point.
 struct Sector {
-  double angle = 0.0;                            ///< [rad]
-  std::vector<std::array<double, 3>> nodes;      ///< [m]
-  std::vector<std::array<int, 20>> bricks;       ///< 8 corners, 4 + 4 mid-sides, 4 between; from 0
-  std::vector<std::array<int, 2>> contact_faces; ///< brick, side of the section 0 to 3
-  std::vector<int> axis;                         ///< nodes at r = 0
-  std::vector<int> sides[2];                     ///< nodes of the planes at −, + half the angle
+  std::vector<std::array<double, 3>> nodes;       ///< [m]
+  std::vector<std::array<int, 20>> bricks;        ///< 8 corners, 4 + 4 mid-sides, 4 between; from 0
+  std::vector<std::array<int, 2>> contact_faces;  ///< brick, side of the section 0 to 3
+  std::vector<int> axis;                          ///< nodes at r = 0
+  std::vector<int> first_plane, last_plane;       ///< nodes at its smallest and largest angle
 };
 
-/// Limit: volume φ/2π of the body's -> test SectorTest.VolumeOfTheSphere
-Sector sector_of(const QuadraticSection& section, double angle);
+/// What part: angles from the plane y = 0 [rad], and into how many bricks around.
+struct SectorRequest {
+  double from = 0.0, to = 0.0;
+  int slices = 1;
+};
+
+/// Limit: volume (to − from)/2π of the body's -> test SectorTest.VolumeOfTheSphere
+Sector sector_of(const QuadraticSection& section, const SectorRequest& request);
 
 }  // namespace rebound
