@@ -19,8 +19,9 @@ std::string ogden(const SolidCard& solid, const std::string& options) {
     numbers.push_back(term.shear);
     numbers.push_back(term.exponent);
   }
+  // (J - 1)^(2i)/Dᵢ: CalculiX puts a stiff default where a zero stands, 1 Pa is nothing.
   numbers.push_back(solid.d1);
-  numbers.resize(3 * solid.terms.size(), 0.0);
+  numbers.resize(3 * solid.terms.size(), 1.0);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     text += fmt::format("{:.12g}{}", numbers[i],
                         i % 8 == 7 || i + 1 == numbers.size() ? "\n" : ", ");
