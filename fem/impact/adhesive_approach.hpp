@@ -21,7 +21,7 @@ namespace rebound::fem {
 /// v is the speed that the ball brings to touch undeformed. It is what restitution is taken from,
 /// since it says what energy is brought; the pole bulges towards the plate and touches earlier,
 /// at a centre of mass slower by 0.5 % at 0.5 m/s and 20 J/m².
-/// Limit:   what adhesion costs is what leaving the range costs -> test AdhesionImpact.NoShockAtTouch
+/// Limit:   adhesion costs what leaving its range costs -> test AdhesionImpact.NoShockAtTouch
 struct AdhesiveApproach {
   double height = 0.0;  ///< [m]
   double speed = 0.0;   ///< there, towards the plate [m/s]
@@ -33,8 +33,7 @@ AdhesiveApproach adhesive_approach(const FemProblem& problem, double range,
                                    const Potential& potential) {
   const double v = problem.impact.speed;
   const auto speed_squared = [&](double height) {
-    return v * v -
-           2.0 * (potential(height) / problem.sphere.mass + problem.gravity * height);
+    return v * v - 2.0 * (potential(height) / problem.sphere.mass + problem.gravity * height);
   };
   if (speed_squared(range) >= 0.0)
     return {.height = range, .speed = std::sqrt(speed_squared(range))};

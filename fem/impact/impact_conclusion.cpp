@@ -10,7 +10,8 @@ namespace rebound::fem {
 void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
                      const ImpactEnd& end, FemResult& result) {
   const double v0 = problem.impact.speed, g = problem.gravity;
-  const double rebound = recorder.total_impulse() / end.mass - end.touch_speed - g * end.last_contact;
+  const double rebound =
+      recorder.total_impulse() / end.mass - end.touch_speed - g * end.last_contact;
   result.scalars = derive_scalars(result.trace, problem.impact, end.last_contact, rebound);
   const WindowScalars windows = window_scalars(recorder.half_windows(), end.last_contact);
   result.scalars.peak_force = windows.peak_force;

@@ -68,8 +68,8 @@ class ImplicitImpact {
   int steps_per_sample_;
   ImpactRecorder recorder_;
   std::optional<ImplicitFields> fields_;  ///< where they are asked for
-  bool approaching_ = false;  ///< pulled, and not touched yet: nothing is recorded
-  double touch_speed_;        ///< [m/s]
+  bool approaching_ = false;              ///< pulled, and not touched yet: nothing is recorded
+  double touch_speed_;                    ///< [m/s]
   EnergyBalance energies_;
   std::string failure_;
   int pole_ = 0;
@@ -139,7 +139,8 @@ bool ImplicitImpact::approach(double step, const RunControl& control) {
   const auto speed = [&] { return -forces_.axial_mass().dot(now_.v) / body_.mass; };
   while (held_.gap(now_.u) > speed() * step)
     if ((control.interrupted && control.interrupted()) || !advance(step, 6)) return false;
-  if (!advance(held_.gap(now_.u) / speed(), 6)) return false;
+  const double rest = held_.gap(now_.u) / speed();
+  if (rest > 1e-3 * step && !advance(rest, 6)) return false;
   approaching_ = false;
   now_.time = 0.0;
   touch_speed_ = speed();

@@ -17,12 +17,13 @@ std::string prony_lines(const SolidCard& solid) {
   std::string text = "*VISCOELASTIC, TIME=PRONY\n";
   for (const RelaxingShare& branch : solid.branches) {
     if (solid.elastic == ElasticModel::hyperfoam && branch.volume != branch.deviator)
-      throw Error(ExitCode::bad_input,
-                  "a foam relaxes as a whole in Abaqus: the deck would lose that the deviator alone "
-                  "relaxes",
-                  {.key = "model.material.branch.relaxes",
-                   .value = name_of(Relaxes::deviator),
-                   .allowed = name_of(Relaxes::all)});
+      throw Error(
+          ExitCode::bad_input,
+          "a foam relaxes as a whole in Abaqus: the deck would lose that the deviator alone "
+          "relaxes",
+          {.key = "model.material.branch.relaxes",
+           .value = name_of(Relaxes::deviator),
+           .allowed = name_of(Relaxes::all)});
     text += fmt::format("{:.12g}, {:.12g}, {:.12g}\n", branch.deviator, branch.volume,
                         branch.relaxation_time);
   }
@@ -71,8 +72,7 @@ class AbaqusDeck {
                          plate_node() + 1, far);
     text_ += "*SURFACE, TYPE=ELEMENT, NAME=BALL_SIDE\n";
     std::set<std::pair<int, int>> contact;
-    for (const auto& edge : mesh().contact_edges)
-      contact.insert(std::minmax(edge[0], edge[1]));
+    for (const auto& edge : mesh().contact_edges) contact.insert(std::minmax(edge[0], edge[1]));
     for (std::size_t e = 0; e < mesh().cells.size(); ++e)
       for (int i = 0; i < 4; ++i)
         if (contact.contains(std::minmax(mesh().cells[e][i], mesh().cells[e][(i + 1) % 4])))
@@ -90,9 +90,9 @@ class AbaqusDeck {
 
   void write_material() {
     const bool relaxes = !impact_.solid.branches.empty();
-    text_ += "*MATERIAL, NAME=BALL\n" +
-             hyperelastic_lines(impact_.solid, relaxes ? ", MODULI=INSTANTANEOUS" : "",
-                                differences_);
+    text_ +=
+        "*MATERIAL, NAME=BALL\n" +
+        hyperelastic_lines(impact_.solid, relaxes ? ", MODULI=INSTANTANEOUS" : "", differences_);
     if (relaxes) {
       text_ += prony_lines(impact_.solid);
       differences_.push_back(

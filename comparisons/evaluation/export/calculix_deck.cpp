@@ -62,8 +62,8 @@ class CalculixDeck {
     text_ += "*NODE, NSET=PLATE\n";
     int node = node_count();
     for (const double z : {-deep, 0.0})
-      for (const auto& [x, y] : {std::pair{-deep, -half}, {across, -half}, {across, half},
-                                 {-deep, half}})
+      for (const auto& [x, y] :
+           {std::pair{-deep, -half}, {across, -half}, {across, half}, {-deep, half}})
         text_ += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}\n", ++node, x, y, z);
     text_ += fmt::format("*ELEMENT, TYPE=C3D8, ELSET=PLATE\n{}", brick_count() + 1);
     for (int i = 1; i <= 8; ++i) text_ += fmt::format(", {}", node_count() + i);
@@ -140,8 +140,7 @@ class CalculixDeck {
 }  // namespace
 
 DeckBody calculix_deck(const ImpactToExport& impact) {
-  const QuadraticSection section =
-      quadratic_section(impact.mesh, impact.problem.sphere.radius());
+  const QuadraticSection section = quadratic_section(impact.mesh, impact.problem.sphere.radius());
   return CalculixDeck(impact, section).body();
 }
 

@@ -12,18 +12,18 @@
 namespace rebound {
 namespace {
 
-/// Radius over the overclosure at a pressure of E*. CalculiX moves its deflection by 0.02 % from 3000
-/// to 8000, and stays where it converges.
+/// Radius over the overclosure at a pressure of E*. CalculiX moves its deflection by 0.02 % from
+/// 3000 to 8000, and stays where it converges.
 constexpr double penalty_number = 8000.0;
 constexpr double contact_times = 1.25;  ///< of Hertz, that a deck lasts
 constexpr double outputs = 200.0;       ///< over the Hertz contact time
 
 [[noreturn]] void refuse(const ExportTarget& target, const std::string& what,
                          ErrorLocation location) {
-  throw Error(ExitCode::bad_input,
-              fmt::format("{} would lose {}, and the deck would be another problem", target.code,
-                          what),
-              std::move(location));
+  throw Error(
+      ExitCode::bad_input,
+      fmt::format("{} would lose {}, and the deck would be another problem", target.code, what),
+      std::move(location));
 }
 
 void refuse_number(const ExportTarget& target, const char* key, double value, const char* what) {
@@ -56,8 +56,7 @@ void refuse_lost_material(const ExportTarget& target, const Material& material) 
 
 void refuse_lost_physics(const ExportTarget& target, const FemProblem& problem) {
   const auto carries = [&](CarriedPhysics physics) {
-    return std::find(target.carries.begin(), target.carries.end(), physics) !=
-           target.carries.end();
+    return std::find(target.carries.begin(), target.carries.end(), physics) != target.carries.end();
   };
   refuse_lost_material(target, problem.material);
   if (!problem.material.branches.empty() && !carries(CarriedPhysics::relaxation))
@@ -78,8 +77,7 @@ std::string comment(const ExportTarget& target, const std::string& line) {
                                  : fmt::format("  {}\n", line);
 }
 
-std::string head(const ExportTarget& target, const FemProblem& problem,
-                 const ExportedDeck& deck) {
+std::string head(const ExportTarget& target, const FemProblem& problem, const ExportedDeck& deck) {
   std::vector<std::string> lines = {
       fmt::format("Rebound: impact of a ball on a rigid plate, deck for {}", target.code),
       fmt::format("ball {:.12g} kg, diameter {:.12g} m; speed {:.12g} m/s towards the plate",
@@ -94,9 +92,9 @@ std::string head(const ExportTarget& target, const FemProblem& problem,
   for (const std::string& difference : deck.differences) lines.push_back("- " + difference);
   std::string text;
   for (const std::string& line : lines) text += comment(target, line);
-  return *target.comment != '\0' ? text
-                                 : "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!--\n" + text +
-                                       "-->\n";
+  return *target.comment != '\0'
+             ? text
+             : "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!--\n" + text + "-->\n";
 }
 
 }  // namespace
@@ -111,8 +109,7 @@ const ExportTarget& export_target(const std::string& name) {
               {.key = "--to", .value = name, .allowed = names});
 }
 
-ExportedDeck export_deck(const ExportTarget& target, const FemProblem& problem,
-                         const Mesh& mesh) {
+ExportedDeck export_deck(const ExportTarget& target, const FemProblem& problem, const Mesh& mesh) {
   check(problem);
   refuse_lost_physics(target, problem);
   const SolidCard solid = solid_card(problem.material);
@@ -125,8 +122,8 @@ ExportedDeck export_deck(const ExportTarget& target, const FemProblem& problem,
       .end_time = controls.end_time > 0.0
                       ? controls.end_time
                       : contact_times * fem::expected_contact_time(problem, solid.long_term),
-      .interval = controls.output_interval > 0.0 ? controls.output_interval
-                                                 : contact_time / outputs,
+      .interval =
+          controls.output_interval > 0.0 ? controls.output_interval : contact_time / outputs,
       .penalty = penalty_number * fem::plane_strain_modulus(solid.instantaneous) /
                  problem.sphere.radius()};
   DeckBody body = target.write(impact);
@@ -134,8 +131,7 @@ ExportedDeck export_deck(const ExportTarget& target, const FemProblem& problem,
                     .nodes = body.nodes,
                     .elements = body.elements,
                     .end_time = impact.end_time};
-  deck.differences.insert(deck.differences.end(), body.differences.begin(),
-                          body.differences.end());
+  deck.differences.insert(deck.differences.end(), body.differences.begin(), body.differences.end());
   deck.text = head(target, problem, deck) + body.text;
   return deck;
 }

@@ -16,11 +16,11 @@ enum class CarriedPhysics { relaxation, friction, gravity };
 /// An impact in the terms in which every deck needs it.
 struct ImpactToExport {
   const FemProblem& problem;
-  const Mesh& mesh;        ///< bilinear cells, plate at z = 0
-  SolidCard solid;         ///< density of the meshed body left at 0: the target sets it
-  double end_time = 0.0;   ///< [s]
-  double interval = 0.0;   ///< of the output [s]
-  double penalty = 0.0;    ///< pressure per overclosure, where a code has a penalty [Pa/m]
+  const Mesh& mesh;       ///< bilinear cells, plate at z = 0
+  SolidCard solid;        ///< density of the meshed body left at 0: the target sets it
+  double end_time = 0.0;  ///< [s]
+  double interval = 0.0;  ///< of the output [s]
+  double penalty = 0.0;   ///< pressure per overclosure, where a code has a penalty [Pa/m]
 };
 
 /// What a target makes of it.

@@ -68,14 +68,14 @@ void check_relaxation(const SolidCard& solid, const LawText& law) {
     const bool all = branch.volume > 0.0;
     if (all != law.is_uncoupled) continue;
     const char* can = law.is_uncoupled ? "its deviator alone" : "all of its stress alone";
-    throw Error(ExitCode::bad_input,
-                fmt::format("FEBio relaxes {} of {}, and the deck would be another problem", can,
-                            name_of(solid.elastic)),
-                {.key = "model.material.branch.relaxes",
-                 .value = name_of(all ? Relaxes::all : Relaxes::deviator),
-                 .allowed = std::string("relaxes = \"") +
-                            name_of(all ? Relaxes::deviator : Relaxes::all) +
-                            "\", or another elastic law"});
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("FEBio relaxes {} of {}, and the deck would be another problem", can,
+                    name_of(solid.elastic)),
+        {.key = "model.material.branch.relaxes",
+         .value = name_of(all ? Relaxes::all : Relaxes::deviator),
+         .allowed = std::string("relaxes = \"") + name_of(all ? Relaxes::deviator : Relaxes::all) +
+                    "\", or another elastic law"});
   }
   if (solid.branches.size() > 6)
     throw Error(ExitCode::bad_input, "FEBio has six Prony branches at most",
@@ -139,8 +139,8 @@ class FebioDeck {
     text_ += "<Mesh>\n<Nodes name=\"ball\">\n";
     int node = 0;
     const auto write_node = [&](const std::array<double, 3>& p) {
-      text_ += fmt::format("<node id=\"{}\">{:.15g},{:.15g},{:.15g}</node>\n", ++node, p[0], p[1],
-                           p[2]);
+      text_ +=
+          fmt::format("<node id=\"{}\">{:.15g},{:.15g},{:.15g}</node>\n", ++node, p[0], p[1], p[2]);
     };
     for (const auto& p : sector_.nodes) write_node(p);
     text_ += "</Nodes>\n<Nodes name=\"plate\">\n";
@@ -177,7 +177,7 @@ class FebioDeck {
     for (const auto& [brick, side] : sector_.contact_faces) {
       const auto& b = sector_.bricks[brick];
       const int next = (side + 1) % 4;  // outward: from the larger angle to the smaller
-      const int nodes[8] = {b[side],     b[4 + side], b[4 + next], b[next],
+      const int nodes[8] = {b[side],      b[4 + side],  b[4 + next],  b[next],
                             b[16 + side], b[12 + side], b[16 + next], b[8 + side]};
       text_ += fmt::format("<quad8 id=\"{}\">", ++face);
       for (int i = 0; i < 8; ++i) text_ += fmt::format("{}{}", i == 0 ? "" : ",", nodes[i] + 1);

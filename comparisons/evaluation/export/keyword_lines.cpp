@@ -23,8 +23,8 @@ std::string ogden(const SolidCard& solid, const std::string& options) {
   numbers.push_back(solid.d1);
   numbers.resize(3 * solid.terms.size(), 1.0);
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += fmt::format("{:.12g}{}", numbers[i],
-                        i % 8 == 7 || i + 1 == numbers.size() ? "\n" : ", ");
+    text +=
+        fmt::format("{:.12g}{}", numbers[i], i % 8 == 7 || i + 1 == numbers.size() ? "\n" : ", ");
   return text;
 }
 
@@ -39,8 +39,8 @@ std::string hyperfoam(const SolidCard& solid, const std::string& options) {
   for (const StretchCard& term : solid.terms)
     numbers.push_back(term.beta / (1.0 + 2.0 * term.beta));
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += fmt::format("{:.12g}{}", numbers[i],
-                        i % 8 == 7 || i + 1 == numbers.size() ? "\n" : ", ");
+    text +=
+        fmt::format("{:.12g}{}", numbers[i], i % 8 == 7 || i + 1 == numbers.size() ? "\n" : ", ");
   return text;
 }
 

@@ -75,7 +75,8 @@ QuadraticSection quadratic_section(const Mesh& mesh, double radius) {
       const int from = corners[i], to = corners[(i + 1) % 4];
       const Side side = side_between(from, to);
       const bool touches = contact.contains(side);
-      const auto [found, is_new] = middles.try_emplace(side, static_cast<int>(section.nodes.size()));
+      const auto [found, is_new] =
+          middles.try_emplace(side, static_cast<int>(section.nodes.size()));
       if (is_new) {
         Place place = middle_of(mesh.vertices[from], mesh.vertices[to]);
         if (touches && on_sphere(from) && on_sphere(to)) {

@@ -9,10 +9,10 @@ namespace rebound {
 
 /// The half-section in cells of eight nodes: corners counter-clockwise, then mid-sides.
 struct QuadraticSection {
-  std::vector<std::array<double, 2>> nodes;      ///< (r, z) [m]; the mesh's vertices first
-  std::vector<std::array<int, 8>> cells;         ///< node numbers from 0
-  std::vector<std::array<int, 2>> contact_sides; ///< cell, side: 0 between corners 0 and 1
-  double volume = 0.0;                           ///< of the body of revolution [m³]
+  std::vector<std::array<double, 2>> nodes;       ///< (r, z) [m]; the mesh's vertices first
+  std::vector<std::array<int, 8>> cells;          ///< node numbers from 0
+  std::vector<std::array<int, 2>> contact_sides;  ///< cell, side: 0 between corners 0 and 1
+  double volume = 0.0;                            ///< of the body of revolution [m³]
 };
 
 /// Nodes in the middle of every side; on the circle about (0, R) for the sides that may touch

@@ -25,12 +25,11 @@ SolidCard solid_card(const Material& material) {
                  .long_term = fem::long_term_moduli(material)};
   const fem::Moduli given = fem::given_moduli(material);
   for (const PronyBranch& branch : material.branches)
-    card.branches.push_back(
-        {.deviator = branch.ratio * given.shear / card.instantaneous.shear,
-         .volume = branch.relaxes == Relaxes::all
-                       ? branch.ratio * given.bulk / card.instantaneous.bulk
-                       : 0.0,
-         .relaxation_time = branch.relaxation_time});
+    card.branches.push_back({.deviator = branch.ratio * given.shear / card.instantaneous.shear,
+                             .volume = branch.relaxes == Relaxes::all
+                                           ? branch.ratio * given.bulk / card.instantaneous.bulk
+                                           : 0.0,
+                             .relaxation_time = branch.relaxation_time});
   card.c01 = 0.5 * material.second_share * card.instantaneous.shear;
   card.c10 = 0.5 * card.instantaneous.shear - card.c01;
   card.d1 = 2.0 / card.instantaneous.bulk;

@@ -28,9 +28,8 @@ FemProblem elastic_impact() {
   FemProblem problem;
   problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
   problem.impact.speed = 15.0;
-  problem.material = {.elastic = ElasticModel::neo_hookean_isochoric,
-                      .youngs_modulus = 10e6,
-                      .poisson_ratio = 0.4};
+  problem.material = {
+      .elastic = ElasticModel::neo_hookean_isochoric, .youngs_modulus = 10e6, .poisson_ratio = 0.4};
   problem.cells = deck_cells;
   problem.controls.end_time = 1.8e-3;
   return problem;
@@ -44,7 +43,8 @@ struct ForceHistory {
   double impulse(double end) const {
     double sum = 0.0;
     for (std::size_t i = 1; i < time.size() && time[i - 1] < end; ++i) {
-      const double to = std::min(end, time[i]), share = (to - time[i - 1]) / (time[i] - time[i - 1]);
+      const double to = std::min(end, time[i]),
+                   share = (to - time[i - 1]) / (time[i] - time[i - 1]);
       const double last = force[i - 1] + share * (force[i] - force[i - 1]);
       sum += 0.5 * (force[i - 1] + last) * (to - time[i - 1]);
     }

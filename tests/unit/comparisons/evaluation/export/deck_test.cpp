@@ -40,8 +40,7 @@ std::vector<double> numbers_below(const std::string& text, const std::string& ke
   std::vector<double> numbers;
   std::istringstream fields(line);
   for (std::string field; std::getline(fields, field, ',');)
-    if (field.find_first_of("0123456789") != std::string::npos)
-      numbers.push_back(std::stod(field));
+    if (field.find_first_of("0123456789") != std::string::npos) numbers.push_back(std::stod(field));
   return numbers;
 }
 
@@ -195,15 +194,15 @@ TEST(DeckTest, LostPhysicsIsRefusedByName) {
       {"model.material.strain_softening", with([](auto& p) { p.material.strain.softening = 0.3; })},
       {"model.material.strain_stiffening", with([](auto& p) { p.material.strain.stiffening = 1; })},
       {"model.material.densification", with([](auto& p) { p.material.strain.densification = 1; })},
-      {"model.material.retardation_time", with([](auto& p) { p.material.retardation_time = 1e-6; })},
+      {"model.material.retardation_time",
+       with([](auto& p) { p.material.retardation_time = 1e-6; })},
       {"model.material.layer", with([](auto& p) { p.material.layers = {{.modulus_factor = 2}}; })},
       {"model.material.relaxation", with([](auto& p) {
          p.material.branches = {{.ratio = 0.3, .relaxation_time = 1e-3}};
          p.material.relaxation = Relaxation::multiplicative;
        })},
       {"model.material.branch.rate_exponent", with([](auto& p) {
-         p.material.branches = {
-             {.ratio = 0.3, .relaxation_time = 1e-3, .rate_exponent = 0.5}};
+         p.material.branches = {{.ratio = 0.3, .relaxation_time = 1e-3, .rate_exponent = 0.5}};
        })},
       {"model.adhesion.work", with([](auto& p) { p.adhesion.work = 20.0; })},
       {"model.plate.stiffness", with([](auto& p) { p.plate.stiffness = 1e8; })}};

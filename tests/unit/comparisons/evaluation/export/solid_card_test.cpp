@@ -43,10 +43,12 @@ TEST(SolidCardTest, LongTermRatiosBecomeShares) {
 
 TEST(SolidCardTest, BothDescriptionsAgree) {
   Material fast = solid(), slow = solid();
-  fast.branches = {{.ratio = 0.3, .relaxation_time = 1e-4}, {.ratio = 0.2, .relaxation_time = 1e-3}};
+  fast.branches = {{.ratio = 0.3, .relaxation_time = 1e-4},
+                   {.ratio = 0.2, .relaxation_time = 1e-3}};
   slow.modulus = ModulusBasis::long_term;
   slow.youngs_modulus = 0.5 * fast.youngs_modulus;
-  slow.branches = {{.ratio = 0.6, .relaxation_time = 1e-4}, {.ratio = 0.4, .relaxation_time = 1e-3}};
+  slow.branches = {{.ratio = 0.6, .relaxation_time = 1e-4},
+                   {.ratio = 0.4, .relaxation_time = 1e-3}};
   const SolidCard first = solid_card(fast), second = solid_card(slow);
   EXPECT_NEAR(first.c10 / second.c10, 1.0, 1e-14);
   EXPECT_NEAR(first.d1 / second.d1, 1.0, 1e-14);
