@@ -33,6 +33,12 @@ std::string export_help() {
 
 std::filesystem::path place_of(const Session& session, const ExportTarget& target) {
   if (session.out.empty() || session.out.extension() == target.extension) return session.out;
+  for (const ExportTarget& other : export_targets())
+    if (session.out.extension() == other.extension)
+      throw Error(ExitCode::bad_input, "the name is that of another code's deck",
+                  {.key = "--out",
+                   .value = session.out.string(),
+                   .allowed = fmt::format("NAME{} or a folder", target.extension)});
   make_writable_folder(session.out);
   return session.out / (std::string("impact") + target.extension);
 }

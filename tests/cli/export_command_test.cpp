@@ -82,6 +82,8 @@ TEST_F(ExportCommand, BadUsage) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.errors.find("calculix, abaqus, febio"), std::string::npos) << unknown.errors;
   EXPECT_EQ(rebound({"export", "elastic.toml"}).exit_code, 2);
+  EXPECT_EQ(rebound({"export", "elastic.toml", "--to", "febio", "--out", "ball.inp"}).exit_code, 2);
+  EXPECT_FALSE(there("ball.inp"));
   folder.write("lumped.toml", lumped_file);
   EXPECT_EQ(rebound({"export", "lumped.toml", "--to", "febio"}).exit_code, 2);
   EXPECT_EQ(rebound({"export", "nothing.toml", "--to", "febio"}).exit_code, 4);
