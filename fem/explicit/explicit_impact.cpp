@@ -10,6 +10,7 @@
 #include "fem/explicit/material_losses.hpp"
 #include "fem/explicit/prony_steps.hpp"
 #include "fem/explicit/stable_step.hpp"
+#include "fem/impact/adhesive_approach.hpp"
 #include "fem/impact/energy_check.hpp"
 #include "fem/impact/impact_conclusion.hpp"
 #include "fem/impact/impact_recorder.hpp"
@@ -29,7 +30,9 @@ class ExplicitImpact {
   FemResult run(const RunControl& control);
 
  private:
+  void begin_approach();
   void step();
+  void look_for_touch();
   void record_samples(const BodyMotion::Sums& before, const PlateStep& now);
   void update_energies(const BodyMotion::Sums& before, const PlateStep& now,
                        const BodyMotion::Sums& after);
@@ -61,6 +64,8 @@ class ExplicitImpact {
   double constraint_work_ = 0.0, friction_work_ = 0.0;
   double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
   double last_contact_ = 0.0;
+  bool approaching_ = false;  ///< pulled, and not touched yet: nothing is recorded
+  double touch_speed_;        ///< [m/s]
   EnergyBalance energies_;
   EnergyCheck balance_;
 };
@@ -102,12 +107,40 @@ ExplicitImpact::ExplicitImpact(const Discretisation& body, const FemProblem& pro
       fields_(ImpactFields::create_if_requested(problem, {body, cells_, kernel_, material_},
                                                 expected_time_)),
       prony_(material_, step_.now()),
+      touch_speed_(problem.impact.speed),
       balance_(
           kinetic_at_touch(motion_, problem.impact.speed, 0.5 * step_.now() * problem.gravity)) {
   pole_ =
       static_cast<int>(std::max_element(body.position.begin(), body.position.end(),
                                         [](const auto& a, const auto& b) { return a[1] < b[1]; }) -
                        body.position.begin());
+  if (adhesion_.acts()) begin_approach();
+}
+
+/// At the edge of the adhesive range, in the time before zero.
+void ExplicitImpact::begin_approach() {
+  approaching_ = true;
+  auto& z = motion_.displacement;
+  const auto lift = [&](double height) {
+    for (int node = 0; node < body_.node_count(); ++node) z[2 * node + 1] = height;
+  };
+  const AdhesiveApproach start = adhesive_approach(problem_, adhesion_.reach(), [&](double height) {
+    lift(height);
+    return plate_->adhesive_energy(z);
+  });
+  lift(start.height);
+  for (int node = 0; node < body_.node_count(); ++node)
+    motion_.velocity[2 * node + 1] = 0.5 * step_.now() * problem_.gravity - start.speed;
+}
+
+/// Time zero is where the next two steps reach the plate.
+void ExplicitImpact::look_for_touch() {
+  const double speed = -motion_.sums().momentum / motion_.total_mass();
+  const double gap = plate_->gap(motion_.displacement) + plate_->state().displacement;
+  if (gap > 2.0 * speed * step_.now()) return;
+  approaching_ = false;
+  time_ = 0.0;
+  touch_speed_ = speed + 0.5 * step_.before() * problem_.gravity;
 }
 
 /// Energies at the current instant t_n, from the velocities half a step before
@@ -155,9 +188,10 @@ void ExplicitImpact::step() {
   const double behind = step_.before(), ahead = step_.now();
   const CellMotion now{.displacement = motion_.displacement.data(),
                        .velocity = motion_.velocity.data()};
-  if (fields_) fields_->see(time_, prony_.data(), now, history_);
+  ImpactFields* const fields = approaching_ ? nullptr : fields_.get();
+  if (fields) fields->see(time_, prony_.data(), now, history_);
   std::fill(motion_.force.begin(), motion_.force.end(), 0.0);
-  const bool sampling = recorder_.next_sample() < time_ + ahead;
+  const bool sampling = !approaching_ && recorder_.next_sample() < time_ + ahead;
   summary_ = sampling ? kernel_.forces_and_energies(arrays_, prony_.data(), now, history_.data(),
                                                     motion_.force.data(), of_cells_)
                       : kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(),
@@ -168,16 +202,18 @@ void ExplicitImpact::step() {
   plate_->remember(motion_.velocity);
   const StepSpan span{.kick = 0.5 * (behind + ahead), .drift = ahead};
   motion_.kick(span.kick, problem_.gravity);
-  if (fields_) fields_->before_plate(motion_.velocity);
+  if (fields) fields->before_plate(motion_.velocity);
   const PlateStep plate = plate_->apply_contact(motion_.displacement, motion_.velocity, span);
   constraint_work_ += plate.constraint_work;
   friction_work_ += plate.friction_work;
   contact_radius_ = plate.contact_radius;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
   const double start = time_ - 0.5 * behind, end = time_ + 0.5 * ahead;
-  if (fields_) fields_->after_plate(motion_.velocity, end);
-  recorder_.add_impulse(plate.impulse - plate.pull, start, end);
-  recorder_.add_reading(plate.reading, start, end);
+  if (fields) fields->after_plate(motion_.velocity, end);
+  if (!approaching_) {
+    recorder_.add_impulse(plate.impulse - plate.pull, start, end);
+    recorder_.add_reading(plate.reading, start, end);
+  }
   if (plate.impulse > 0.0) last_contact_ = end;
   if (sampling) record_samples(before, plate);
 
@@ -187,6 +223,7 @@ void ExplicitImpact::step() {
   ++steps_;
   step_.choose(summary_.largest_frequency_squared);
   prony_.advance(step_.now());
+  if (approaching_) look_for_touch();
 }
 
 bool ExplicitImpact::contact_is_over() const {
@@ -241,6 +278,7 @@ void ExplicitImpact::conclude(FemResult& result) const {
   const double mass = motion_.total_mass();
   conclude_impact(problem_, recorder_,
                   {.mass = mass,
+                   .touch_speed = touch_speed_,
                    .speed = motion_.sums().momentum / mass,
                    .time = time_ - 0.5 * step_.before(),  // velocities belong to half steps
                    .last_contact = last_contact_,

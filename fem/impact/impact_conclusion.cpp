@@ -10,7 +10,8 @@ namespace rebound::fem {
 void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
                      const ImpactEnd& end, FemResult& result) {
   const double v0 = problem.impact.speed, g = problem.gravity;
-  const double rebound = recorder.total_impulse() / end.mass - v0 - g * end.last_contact;
+  const double rebound =
+      recorder.total_impulse() / end.mass - end.touch_speed - g * end.last_contact;
   result.scalars = derive_scalars(result.trace, problem.impact, end.last_contact, rebound);
   const WindowScalars windows = window_scalars(recorder.half_windows(), end.last_contact);
   result.scalars.peak_force = windows.peak_force;
@@ -19,7 +20,7 @@ void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
   result.force_averaging_window = 2.0 * recorder.half_windows().interval();
   result.window_force = recorder.half_windows().running_means(4);
   result.restitution_momentum = (end.speed + g * (end.time - end.last_contact)) / v0;
-  const double expected = end.mass * (v0 + end.speed + g * end.time);
+  const double expected = end.mass * (end.touch_speed + end.speed + g * end.time);
   result.closures.impulse =
       std::abs(integral(result.trace.time, recorder.contact_force()) - expected) / expected;
   result.closures.energy = end.energy_error;

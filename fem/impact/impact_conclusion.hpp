@@ -9,6 +9,7 @@ namespace rebound::fem {
 /// What a scheme knows when contact has ended.
 struct ImpactEnd {
   double mass = 0.0;                 ///< [kg]
+  double touch_speed = 0.0;          ///< towards the plate at time zero [m/s]
   double speed = 0.0;                ///< Σ mᵢ v_z,i / m at `time` [m/s]
   double time = 0.0;                 ///< of that speed [s]
   double last_contact = 0.0;         ///< [s]
@@ -22,9 +23,12 @@ struct ImpactEnd {
 /// definitions are shared, the numbers that go into them are the scheme's own. Peak force and
 /// the times between crossings are of window_scalars().
 ///
-///   rebound speed   impulse/m − v₀ − g t_last
+///   rebound speed   impulse/m − v_t − g t_last
 ///   restitution     by momentum: (speed + g (time − t_last))/v₀
-///   impulse         |∫F dt − m (v₀ + speed + g time)| over the latter
+///   impulse         |∫F dt − m (v_t + speed + g time)| over the latter
+///
+///   v₀  the problem's speed, v_t that of the centre of mass at time zero [m/s]; the same without
+///       adhesion, which makes the pole bulge towards the plate and touch before the ball is there
 void conclude_impact(const FemProblem& problem, const ImpactRecorder& recorder,
                      const ImpactEnd& end, FemResult& result);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fem/impact/adhesive_approach.hpp"
 #include "fem/impact/energy_check.hpp"
 #include "fem/impact/impact_conclusion.hpp"
 #include "fem/impact/impact_recorder.hpp"
@@ -41,6 +42,8 @@ class ImplicitImpact {
   FemResult run(const RunControl& control);
 
  private:
+  void begin_approach();
+  bool approach(double step, const RunControl& control);
   bool advance(double step, int cuts);
   EquilibriumTask task_of(double step) const;
   void accept(double step, MotionState next);
@@ -65,6 +68,8 @@ class ImplicitImpact {
   int steps_per_sample_;
   ImpactRecorder recorder_;
   std::optional<ImplicitFields> fields_;  ///< where they are asked for
+  bool approaching_ = false;              ///< pulled, and not touched yet: nothing is recorded
+  double touch_speed_;                    ///< [m/s]
   EnergyBalance energies_;
   std::string failure_;
   int pole_ = 0;
@@ -89,6 +94,7 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
       interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200),
       recorder_(interval_, expected_time_),
+      touch_speed_(problem.impact.speed),
       balance_(0.5 * problem.sphere.mass * problem.impact.speed * problem.impact.speed) {
   const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
   steps_per_sample_ = std::max(1, static_cast<int>(std::ceil(interval_ / asked - 1e-9)));
@@ -108,9 +114,37 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
   last_change_.setZero(size);
   if (traction_.acts()) {
     adhesion_.emplace(body_, traction_);
+    begin_approach();
     adhesion_->add_forces(now_.u, now_.force);
     pull_ = adhesion_->pull(now_.u);
   }
+}
+
+/// At the edge of the adhesive range, in the time before zero.
+void ImplicitImpact::begin_approach() {
+  approaching_ = true;
+  const auto lift = [&](double height) {
+    for (int node = 0; node < body_.node_count(); ++node) now_.u[2 * node + 1] = height;
+  };
+  const AdhesiveApproach start = adhesive_approach(problem_, traction_.reach(), [&](double height) {
+    lift(height);
+    return adhesion_->energy(now_.u);
+  });
+  lift(start.height);
+  for (int node = 0; node < body_.node_count(); ++node) now_.v[2 * node + 1] = -start.speed;
+}
+
+/// Up to first touch, which is time zero: the last step ends there.
+bool ImplicitImpact::approach(double step, const RunControl& control) {
+  const auto speed = [&] { return -forces_.axial_mass().dot(now_.v) / body_.mass; };
+  while (held_.gap(now_.u) > speed() * step)
+    if ((control.interrupted && control.interrupted()) || !advance(step, 6)) return false;
+  const double rest = held_.gap(now_.u) / speed();
+  if (rest > 1e-3 * step && !advance(rest, 6)) return false;
+  approaching_ = false;
+  now_.time = 0.0;
+  touch_speed_ = speed();
+  return true;
 }
 
 /// Residual of one step as a function of the displacement at its end.
@@ -184,15 +218,15 @@ void ImplicitImpact::show_to_fields(double step, const MotionState& next) {
 void ImplicitImpact::accept(double step, MotionState next) {
   forces_.forces(next.u, next.force);
   if (adhesion_) adhesion_->add_forces(next.u, next.force);
-  if (fields_) show_to_fields(step, next);
+  if (fields_ && !approaching_) show_to_fields(step, next);
   forces_.accept(next.u);
   const Eigen::VectorXd change = next.u - now_.u;
   constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
   const double force = next.reaction.sum();
   const double pull = adhesion_ ? adhesion_->pull(next.u) : 0.0;
   const double impulse = 0.5 * step * (separation_.last_force() + force - pull_ - pull);
-  recorder_.add_impulse(impulse, now_.time, next.time);
-  separation_.add(force, {.from = now_.time, .to = next.time});
+  if (!approaching_) recorder_.add_impulse(impulse, now_.time, next.time);
+  if (!approaching_) separation_.add(force, {.from = now_.time, .to = next.time});
   pull_ = pull;
   contact_radius_ = force > 0.0 ? held_.contact_radius(next.u) : 0.0;
   contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
@@ -200,7 +234,7 @@ void ImplicitImpact::accept(double step, MotionState next) {
   smallest_step_ = std::min(smallest_step_, step);
   now_ = std::move(next);
   ++steps_;
-  if (fields_) fields_->show(now_.time, now_.u, now_.v);
+  if (fields_ && !approaching_) fields_->show(now_.time, now_.u, now_.v);
 }
 
 void ImplicitImpact::fill(EnergyBalance& balance) const {
@@ -240,6 +274,8 @@ bool ImplicitImpact::contact_is_over() const {
 FemResult ImplicitImpact::run(const RunControl& control) {
   std::string incomplete;
   const double step = interval_ / steps_per_sample_;
+  if (approaching_ && !approach(step, control))
+    return finish(failure_.empty() ? "interrupted" : failure_);
   sample();
   if (fields_) fields_->show(now_.time, now_.u, now_.v);
   while (incomplete.empty()) {
@@ -277,6 +313,7 @@ FemResult ImplicitImpact::finish(std::string incomplete_because) {
 void ImplicitImpact::conclude(FemResult& result) const {
   conclude_impact(problem_, recorder_,
                   {.mass = body_.mass,
+                   .touch_speed = touch_speed_,
                    .speed = forces_.axial_mass().dot(now_.v) / body_.mass,
                    .time = now_.time,
                    .last_contact = separation_.found(),
