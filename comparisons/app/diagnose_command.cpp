@@ -59,6 +59,7 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
   for (const auto& folder : options.folders) request.datasets.push_back(read_dataset(folder));
   const BelievedModel believed = read_believed_model(document, request.datasets);
   request.believed = believed.model;
+  request.believed_fem = believed.fem;
   request.believed_effects = believed.effects;
   request.seed = options.seed;
   if (options.no_bootstrap) request.rules.bootstrap_draws = 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t grid_starts = 2;  // searches from the grid, beside the believed numbers
 constexpr std::size_t most_points = 200;
 
-std::vector<LumpedModel> grid_around(const LumpedModel& believed) {
+std::vector<LumpedModel> lumped_grid(const LumpedModel& believed) {
   std::vector<LumpedModel> grid{believed};
   for (const std::string& name : unknown_numbers(believed)) {
     std::vector<LumpedModel> next;
@@ -23,6 +23,26 @@ std::vector<LumpedModel> grid_around(const LumpedModel& believed) {
         next.push_back(scaled(model, name, factor));
     if (next.size() > most_points) break;
     grid = std::move(next);
+  }
+  return grid;
+}
+
+/// Hypotheses about the believed one. In FE the modulus alone is moved: a material has too many
+/// numbers for a grid of impacts.
+std::vector<Hypothesis> grid_around(const Hypothesis& hypothesis) {
+  std::vector<Hypothesis> grid;
+  if (hypothesis.fem) {
+    for (const double factor : {0.0625, 0.25, 4.0, 16.0}) {
+      Material material = hypothesis.fem->problem().material;
+      material.youngs_modulus *= factor;
+      grid.push_back(hypothesis);
+      grid.back().fem = std::make_shared<const FemBelief>(hypothesis.fem->with(material));
+    }
+    return grid;
+  }
+  for (LumpedModel& model : lumped_grid(hypothesis.believed)) {
+    grid.push_back(hypothesis);
+    grid.back().believed = std::move(model);
   }
   return grid;
 }
@@ -64,9 +84,7 @@ HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesi
   };
   search_from(hypothesis);
   std::vector<Start> starts;
-  for (const LumpedModel& model : grid_around(hypothesis.believed)) {
-    Hypothesis one = hypothesis;
-    one.believed = model;
+  for (Hypothesis& one : grid_around(hypothesis)) {
     const double chi_square = chi_square_at_start(seen, one);
     if (std::isfinite(chi_square)) starts.push_back({std::move(one), chi_square});
   }

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "comparisons/io/toml/describe_effect.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/describe_impact.hpp"
 #include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
 #include "comparisons/io/toml/reader.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
 
@@ -17,6 +19,9 @@ namespace {
 /// An impact file of which only [model] is needed.
 struct BelievedFile {
   LumpedImpactFile impact;
+};
+struct BelievedFemFile {
+  FemImpactFile impact;
 };
 
 void describe(Visitor& visit, BelievedFile& file) {
@@ -32,6 +37,24 @@ void describe(Visitor& visit, BelievedFile& file) {
                       describe_effects(inner, file.impact.effects);
                     });
   visit.table({.name = "controls", .sentence = "Not used.", .presence = Presence::optional},
+              problem.controls);
+}
+
+void describe(Visitor& visit, BelievedFemFile& file) {
+  FemProblem& problem = file.impact.problem;
+  describe_schema(visit);
+  visit.visit_table({.name = "impact", .sentence = "Not used.", .presence = Presence::optional},
+                    [&](Visitor& inner) { rebound::describe(inner, problem.impact); });
+  visit.visit_table({.name = "sphere", .sentence = "The ball.", .presence = Presence::optional},
+                    [&](Visitor& inner) { rebound::describe(inner, problem.sphere); });
+  visit.visit_table({.name = "model", .sentence = "The ball's material, and what it hits."},
+                    [&](Visitor& inner) {
+                      describe_fem_model(inner, problem);
+                      describe_effects(inner, file.impact.effects);
+                    });
+  visit.table({.name = "controls",
+               .sentence = "Resolution in time.",
+               .presence = Presence::optional},
               problem.controls);
 }
 
@@ -51,12 +74,29 @@ void check_same_ball(const Document& document, const Sphere& believed, const Dat
         dataset.diameter_uncertainty.value_or(0.0));
 }
 
+/// A file without a ball is completed, and checked, with the ball and the fastest shot of the data.
+BelievedModel read_believed_fem(const Document& document, const std::vector<Dataset>& datasets) {
+  BelievedFemFile file;
+  read_document(document, file);
+  FemProblem& problem = file.impact.problem;
+  if (document.root().contains("sphere") && datasets.size() == 1)
+    check_same_ball(document, problem.sphere, datasets.front());
+  for (const Dataset& dataset : datasets) {
+    FemImpactFile of_data = file.impact;
+    of_data.problem.sphere = dataset.sphere;
+    for (const MeasuredImpact& shot : dataset.shots)
+      of_data.problem.impact.speed = std::max(of_data.problem.impact.speed, shot.impact.speed);
+    complete_impact(document, of_data);
+    problem.mesh_file = of_data.problem.mesh_file;
+  }
+  return {.model = {}, .fem = problem, .effects = file.impact.effects};
+}
+
 }  // namespace
 
 BelievedModel read_believed_model(const Document& document, const std::vector<Dataset>& datasets) {
   if (document.root()["model"]["tier"].value<std::string>() == "fem")
-    throw document.error_at("model.tier", "a believed FE model is not available in this version",
-                            "lumped");
+    return read_believed_fem(document, datasets);
   BelievedFile file;
   read_document(document, file);
   if (document.root().contains("sphere") && datasets.size() == 1)
@@ -66,10 +106,18 @@ BelievedModel read_believed_model(const Document& document, const std::vector<Da
 
 std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball) {
   const HypothesisFit& fit = diagnosis.best();
+  const auto fem = fit.model->fem();
   const auto& shots = diagnosis.seen->shots;
   const auto of_ball = std::find_if(shots.begin(), shots.end(),
                                     [&](const MeasuredImpact& one) { return one.ball == ball; });
   const MeasuredImpact& shot = of_ball == shots.end() ? shots.front() : *of_ball;
+  if (fem) {
+    FemImpactFile file{.problem = fem->problem(), .effects = fit.effects};
+    file.problem.sphere = diagnosis.seen->balls[ball].sphere;
+    file.problem.impact.speed = shot.impact.speed;
+    file.problem.material = fit.model->material_at(fit.values, ball);
+    return write_toml(file);
+  }
   LumpedImpactFile file;
   file.problem.sphere = diagnosis.seen->balls[ball].sphere;
   file.problem.impact.speed = shot.impact.speed;

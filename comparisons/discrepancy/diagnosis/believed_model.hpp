@@ -13,6 +13,7 @@ namespace rebound {
 /// The model that somebody believes, as a file gives it.
 struct BelievedModel {
   LumpedModel model;
+  std::optional<FemProblem> fem{};  ///< in place of `model`
   std::vector<EffectChoice> effects;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
@@ -97,9 +98,25 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
       100.0 * gap->numerical_uncertainty));
 }
 
-void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
+/// The believed FE model as it is judged: cut for the fitted material, its numerical error known.
+Hypothesis settled(Diagnosis& d, const DiagnosisRequest& request, const Observations& all,
+                   const RunControl& control) {
+  SettledFem fem = settle_fem(*request.believed_fem, request.believed_effects, all, *d.seen,
+                              *d.unseen, control);
+  d.seen = std::make_shared<const Observations>(std::move(fem.seen));
+  d.unseen = std::make_shared<const Observations>(std::move(fem.unseen));
+  d.numerical_uncertainty = fem.numerical_uncertainty;
+  d.warnings.push_back(fmt::format(
+      "the believed FE model was run on {} cells and corrected by {} cells; what is still wrong, "
+      "{:.2g} % of the peak force, counts among the errors of the data",
+      fem.cells, fem.finer_cells, 100.0 * fem.numerical_uncertainty));
+  return std::move(fem.hypothesis);
+}
+
+void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& as_read,
             const Observations& all, const RunControl& whole) {
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
+  const Hypothesis believed = request.believed_fem ? settled(d, request, all, control) : as_read;
   d.believed = assess_believed(*d.seen, believed, request, control);
   report_progress(whole, baseline_share);
   const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
@@ -108,7 +125,7 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });
-  if (!d.selection.explains() && request.ask_fem && has_fem_tier() && has_history)
+  if (!d.selection.explains() && !believed.fem && request.ask_fem && has_fem_tier() && has_history)
     search_with_model_discrepancy(d, request, believed, all, whole);
 }
 
@@ -127,6 +144,11 @@ void show_missing_force(Diagnosis& d) {
       d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of ||
       d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::unexplained;
   if (!missing) return;
+  if (d.best().model->fem()) {
+    d.missing_force = MissingForce{.not_found_because =
+                                       "it is looked for beside a lumped law, not in FE"};
+    return;
+  }
   try {
     d.missing_force = find_missing_force(*d.seen, d.selection.baseline.fit,
                                          d.held_out_speed ? d.unseen.get() : nullptr);
@@ -140,7 +162,9 @@ void show_missing_force(Diagnosis& d) {
 Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   Diagnosis d;
   d.seed = request.seed;
-  const Observations all = observe(request.datasets);
+  Observations all = observe(request.datasets);
+  if (request.believed_fem)  // a slow test is no impact of FE
+    for (SlowCompression& test : all.compressions) test.compared_only = true;
   d.warnings = all.warnings;
   d.checks = check_data(all);
   d.contradictions = contradictions_among(d.checks);
@@ -161,9 +185,14 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
         "fewer than three speeds: none could be left out to test the extended model");
 
   d.believed_effects = request.believed_effects.size();
-  const Hypothesis baseline{.believed = request.believed,
+  Hypothesis baseline{.believed = request.believed,
                             .effects = request.believed_effects,
                             .model_discrepancy = nullptr};
+  if (request.believed_fem)
+    baseline.fem = std::make_shared<const FemBelief>(
+        *request.believed_fem, all,
+        std::vector<Material>(all.balls.size(), request.believed_fem->material), search_cells,
+        control);
   d.needed = lacking(*d.seen, baseline);
   if (!d.needed.empty()) return d;
 

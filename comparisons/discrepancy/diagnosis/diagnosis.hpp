@@ -47,6 +47,8 @@ struct Gap {
 struct DiagnosisRequest {
   std::vector<Dataset> datasets;
   LumpedModel believed;
+  /// A believed FE model, in place of the lumped one; sphere and impact are those of the data.
+  std::optional<FemProblem> believed_fem{};
   std::vector<EffectChoice> believed_effects;  ///< those the model already has
   /// Shots at this speed (as well as it is known) take no part in any fit; empty: the middle
   /// one of three speeds or more. [m/s]
@@ -80,6 +82,8 @@ struct Diagnosis {
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
   std::optional<double> held_out_speed;
+  /// Of a believed FE model: what its mesh gets wrong, over the peak force [-].
+  std::optional<double> numerical_uncertainty;
   std::uint64_t seed = 0;
   std::size_t believed_effects = 0;  ///< how many the model had before; they come first
 
@@ -112,7 +116,8 @@ struct Diagnosis {
 /// Runs the workflow.
 ///
 ///   1 noise and uncertainties from the data set, or a warning; the data against themselves
-///   2 the believed model fitted jointly to all speeds but one
+///   2 the believed model fitted jointly to all speeds but one; of an FE model the numerical
+///     uncertainty joins the errors of the data (settle_fem)
 ///   3 a damping formula that does not return the restitution it was given
 ///     contradicts the model's own input: it is set right before anything is
 ///     added to the model
@@ -124,7 +129,7 @@ struct Diagnosis {
 ///   8 where something is missing from the physics: the missing force, without a formula
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the
-///         data; Error(interrupted).
+///         data, or for an FE model of the implicit scheme; Error(interrupted).
 Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control = {});
 
 }  // namespace rebound

@@ -65,6 +65,7 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   } else {
     basis_.resize(rows, 0);
   }
+  if (fit.model->fem()) detail = GridDetail::coarse;  // every frequency is an impact of each shot
   const std::vector<EffectChoice> choices =
       of_all(effects_, [&](const EffectCard& card) { return small_effects(card, seen_, detail); });
   const auto moved = moved_residuals(choices);

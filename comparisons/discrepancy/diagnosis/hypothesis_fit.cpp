@@ -12,12 +12,16 @@
 namespace rebound {
 namespace {
 
-constexpr double difference = 1e-4;  // of a scale; impacts are good to 1e-7
-const CalibrationControls search_controls{.relative_step = difference,
-                                          .differences = Differences::one_sided,
-                                          .cost_tolerance = 1e-7,
-                                          .iterations = 60};
 constexpr int first_look_iterations = 10;
+
+/// Lumped impacts are good to 1e-7. In FE no more of the cost can be gained than what nodes that
+/// touch one by one make of it.
+CalibrationControls search_controls(const JointModel& model) {
+  return {.relative_step = model.difference_step(),
+          .differences = Differences::one_sided,
+          .cost_tolerance = model.fem() ? 3e-4 : 1e-7,
+          .iterations = model.fem() ? 25 : 60};
+}
 
 /// N: samples that are alike count for less than as many that are not.
 double independent_data(const Observations& seen, const JointModel& model) {
@@ -58,7 +62,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   const auto model = std::make_shared<const JointModel>(seen, hypothesis);
   fit.model = model;
   CalibrationProblem problem = model->problem();
-  problem.controls = search_controls;
+  problem.controls = search_controls(*model);
   if (effort == SearchEffort::first_look) problem.controls.iterations = first_look_iterations;
   if (near) {
     const std::vector<double> starts = values_from(*near, *model);
@@ -184,7 +188,7 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
       return model.residuals(all);
     };
     problem.noise = NoiseKnowledge::known;
-    problem.controls = search_controls;
+    problem.controls = search_controls(model);
     const CalibrationResult found = calibrate(problem);
     for (std::size_t k = 0; k < own.size(); ++k) values[own[k]] = found.estimates[k].value;
   }
@@ -205,7 +209,7 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
 Eigen::MatrixXd jacobian_at(const JointModel& model, const std::vector<double>& values) {
   const ResidualsWithJacobian found = with_differences(
       model.unknowns(), [&](const std::vector<double>& x) { return model.residuals(x); }, values,
-      difference);
+      model.difference_step());
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const RowMajor>(found.slopes.data(),
                                     static_cast<Eigen::Index>(found.residuals.size()),

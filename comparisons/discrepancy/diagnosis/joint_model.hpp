@@ -3,14 +3,16 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/law_factors.hpp"
+#include "comparisons/inference/calibration/material_factors.hpp"
 #include "comparisons/inference/calibration/nuisances.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
-#include "lumped/problem/result.hpp"
 
 namespace rebound {
 
@@ -18,6 +20,8 @@ namespace rebound {
 /// fit starts from, and whether the distance between the tiers is added.
 struct Hypothesis {
   LumpedModel believed;
+  /// In place of the lumped model, where it is there.
+  std::shared_ptr<const FemBelief> fem{};
   std::vector<EffectChoice> effects;
   /// FE minus lumped for the believed model; null: none.
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
@@ -30,9 +34,9 @@ struct DataRow {
   double time = 0.0;  ///< of a force sample, by the data's clock [s]
 };
 
-/// One lumped model of all shots at once, composed of calibration's pieces.
+/// One model of all shots at once, composed of calibration's pieces.
 ///
-///   unknowns   LawFactors, EffectUnknowns, NuisanceUnknowns as the data state
+///   unknowns   LawFactors or MaterialFactors, EffectUnknowns, NuisanceUnknowns as the data state
 ///              them, and the start of every record
 ///   rows       whitened (model − data), then priors
 ///
@@ -84,10 +88,8 @@ class JointModel {
     return effects_.places(k);
   }
 
-  /// Unknowns of the law of one ball.
-  const std::vector<std::size_t>& unknowns_of_law(std::size_t ball) const {
-    return law_.places(ball);
-  }
+  /// Unknowns of the law, or of the material, of one ball.
+  const std::vector<std::size_t>& unknowns_of_ball(std::size_t ball) const;
   /// What may be wrong with the measurement of one shot, its start included.
   std::span<const NuisancePlace> nuisances_of(std::size_t shot) const {
     return nuisances_.places(shot);
@@ -98,11 +100,16 @@ class JointModel {
   }
   /// The believed model with the numbers of one ball moved to these values.
   LumpedModel believed_at(const std::vector<double>& values, std::size_t ball) const {
-    return law_.at(values, ball);
+    return std::get<LawFactors>(numbers_).at(values, ball);
   }
+  /// The same of a believed FE model.
+  Material material_at(const std::vector<double>& values, std::size_t ball) const {
+    return std::get<MaterialFactors>(numbers_).at(values, ball);
+  }
+  const std::shared_ptr<const FemBelief>& fem() const { return hypothesis_.fem; }
   /// How a shot was measured, as these values say.
   MeasurementChain chain_at(const std::vector<double>& values, std::size_t shot) const;
-  /// The impact of a shot as these values say it was.
+  /// The impact of a shot as these values say it was, of a lumped model.
   LumpedProblem problem_at(const std::vector<double>& values, std::size_t shot) const;
   /// The reported force of a shot at given instants of its clock.
   std::vector<double> force_at(const std::vector<double>& values, std::size_t shot,
@@ -116,7 +123,14 @@ class JointModel {
   std::vector<double> without_nuisances(std::vector<double> values) const;
   /// First touch of a shot by its own clock [s]; zero without a history.
   double first_touch(const std::vector<double>& values, std::size_t shot) const;
-  const LumpedResult& impact(const std::vector<double>& values, std::size_t shot) const;
+  const ModelledImpact& impact(const std::vector<double>& values, std::size_t shot) const {
+    return *kept_impact(values, shot);
+  }
+  /// An impact that was not measured: that of a shot, so many times as fast and as heavy.
+  ModelledImpact planned_impact(const std::vector<double>& values, std::size_t like,
+                                double speed_factor, double mass_factor) const;
+  /// Step of differences, of an unknown's scale: where nodes touch one by one it is not small.
+  double difference_step() const { return fem() ? 0.02 : 1e-4; }
   /// Gives back the memory of all impacts that were run: a search keeps hundreds a shot, and a
   /// diagnosis keeps every model it has fitted.
   void forget_impacts() const;
@@ -125,18 +139,17 @@ class JointModel {
   struct Unstarted {};  ///< starts of records are not known yet
   JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted);
   std::vector<double> impact_key(const std::vector<double>& values, std::size_t shot) const;
-  /// An impact that was run, and what it was run on.
-  struct KeptImpact {
-    LumpedResult result;
-    Plate plate;
-  };
+  using KeptImpact = std::shared_ptr<const ModelledImpact>;
   const KeptImpact& kept_impact(const std::vector<double>& values, std::size_t shot) const;
-  KeptImpact run_impact(const std::vector<double>& values, std::size_t shot) const;
+  ModelledImpact run_impact(const std::vector<double>& values, std::size_t shot) const;
+  /// The impact of a shot at another speed.
+  ModelledImpact run_at(const std::vector<double>& values, std::size_t shot, double speed) const;
+  ModelledImpact run_in_fem(const std::vector<double>& values, std::size_t shot,
+                            double speed) const;
   /// Two impacts of a group of repeated shots, the second this much faster.
   static constexpr double faster = 0.01;
   struct SpeedPair {
-    KeptImpact nominal;
-    LumpedResult above;
+    ModelledImpact nominal, above;
   };
   const SpeedPair& speed_pair(const std::vector<double>& values, std::size_t first) const;
 
@@ -159,7 +172,7 @@ class JointModel {
   const Observations& seen_;
   Hypothesis hypothesis_;
   std::vector<CalibrationParameter> unknowns_;
-  LawFactors law_;
+  std::variant<LawFactors, MaterialFactors> numbers_;
   EffectUnknowns effects_;
   NuisanceUnknowns nuisances_;
   std::vector<DataRow> rows_;
@@ -169,7 +182,7 @@ class JointModel {
   std::vector<std::size_t> shot_nuisances_;
   /// Of each shot the last few: a difference by one shot's own start moves no other shot.
   mutable std::vector<std::vector<Block>> blocks_;
-  mutable std::vector<std::map<std::vector<double>, std::shared_ptr<const KeptImpact>>> impacts_;
+  mutable std::vector<std::map<std::vector<double>, KeptImpact>> impacts_;
   std::vector<std::size_t> first_of_group_;  ///< of repeated shots, for every shot
   mutable std::vector<std::map<std::vector<double>, SpeedPair>> pairs_;
 };

@@ -104,11 +104,11 @@ double JointModel::first_touch(const std::vector<double>& values, std::size_t sh
 
 std::vector<double> JointModel::force_at(const std::vector<double>& values, std::size_t shot,
                                          const std::vector<double>& time) const {
-  const auto& [result, plate] = kept_impact(values, shot);
+  const ModelledImpact& result = impact(values, shot);
   const MeasurementChain chain = chain_at(values, shot);
-  if (!plate.moves() && !hypothesis_.model_discrepancy)
+  if (!result.plate.moves() && !hypothesis_.model_discrepancy)
     return reported_force(result.trace, chain, time);
-  Trace force = with_ring_down(result.trace, plate,
+  Trace force = with_ring_down(result.trace, result.plate,
                                time.back() - chain.trigger_shift - result.trace.time.back());
   if (hypothesis_.model_discrepancy)
     force = hypothesis_.model_discrepancy->added_to(force, result.scalars, seen_.shots[shot].ball,
@@ -123,7 +123,7 @@ std::vector<double> JointModel::deflection_at(const std::vector<double>& values,
 
 double JointModel::scalar_at(const std::vector<double>& values, std::size_t shot,
                              const ScalarQuantity& scalar) const {
-  const LumpedResult& result = impact(values, shot);
+  const ModelledImpact& result = impact(values, shot);
   const double itself = result.scalars.*scalar.modelled;
   if (scalar.what == ObservedQuantity::contact_time)
     return reported_contact_time(result.trace, itself, chain_at(values, shot).contact_threshold);
@@ -174,7 +174,7 @@ const std::vector<double>& JointModel::block_of(const std::vector<double>& value
                                                 std::size_t shot) const {
   constexpr std::size_t most_blocks = 4;
   std::vector<double> key;
-  for (const std::size_t factor : law_.places(seen_.shots[shot].ball))
+  for (const std::size_t factor : unknowns_of_ball(seen_.shots[shot].ball))
     key.push_back(values[factor]);
   for (std::size_t k = 0; k < effects_.count(); ++k)
     for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);

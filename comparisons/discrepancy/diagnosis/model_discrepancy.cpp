@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/inference/calibration/material_calibration.hpp"
 #include "comparisons/models/fem_access/fem_runner.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
@@ -109,7 +110,7 @@ double rms_difference(const Trace& a, const Trace& b) {
 
 DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impact& impact,
                           const Trace& fem) {
-  const LumpedResult& lumped = fit.model->impact(fit.values, shot);
+  const ModelledImpact& lumped = fit.model->impact(fit.values, shot);
   DiscrepancyCurve curve{.speed = impact.speed,
                          .first_phase = first_phase,
                          .phase_step = (last_phase - first_phase) / (phases - 1)};
@@ -189,16 +190,11 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
 }
 
 Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepancy& gap) {
-  constexpr std::size_t blocks =
-      8;  // of a history: about six in a contact, as many as it has phases
   for (MeasuredImpact& shot : seen.shots) {
     if (!shot.has_history()) continue;
     // It enters twice: in the fem_fit, and in the lumped model refitted to the fem_fit.
-    const double error = std::sqrt(2.0) * gap.numerical_uncertainty * peak_of(shot.trace.force);
-    // The ripple of the contact front is white, what a mesh gets wrong is not.
-    shot.noise.deviation = std::hypot(shot.noise.deviation, error);
-    shot.noise.shared = error;
-    shot.noise.shared_by = std::max<std::size_t>(1, shot.trace.force.size() / blocks);
+    add_numerical_error(
+        shot, std::sqrt(2.0) * gap.numerical_uncertainty * peak_of(shot.trace.force));
   }
   return seen;
 }

@@ -89,6 +89,7 @@ void add_pooled(const PeaksBeside& beside, const std::string& ball, LumpedProble
 
 std::vector<DataCheck> compare_slow_tests(const Observations& seen, const HypothesisFit& fit) {
   std::vector<DataCheck> checks;
+  if (fit.model->fem()) return checks;
   const auto problem_of = [&](std::size_t ball) -> std::optional<LumpedProblem> {
     const auto shot = shot_of_ball(seen, ball);
     if (!shot) return std::nullopt;

@@ -30,7 +30,7 @@ MotionScales scales_of(const Observations& seen, const HypothesisFit& fit) {
   MotionScales scales{.deflection = 0.0, .rate = 0.0};
   for (std::size_t i = 0; i < seen.shots.size(); ++i) {
     if (!seen.shots[i].has_history()) continue;
-    const LumpedResult& impact = fit.model->impact(fit.values, i);
+    const ModelledImpact& impact = fit.model->impact(fit.values, i);
     scales.deflection = std::max(scales.deflection, impact.scalars.peak_deflection);
     scales.rate = std::max(scales.rate, seen.shots[i].impact.speed);
   }

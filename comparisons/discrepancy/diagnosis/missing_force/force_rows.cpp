@@ -33,7 +33,7 @@ Eigen::VectorXd moved_by(const Observations& seen, const HypothesisFit& fit,
 
 /// Unknowns of the fit that are of the physics, for one ball.
 std::vector<std::size_t> physical_unknowns(const HypothesisFit& fit, std::size_t ball) {
-  std::vector<std::size_t> unknowns = fit.model->unknowns_of_law(ball);
+  std::vector<std::size_t> unknowns = fit.model->unknowns_of_ball(ball);
   for (std::size_t k = 0; k < fit.effects.size(); ++k)
     if (!is_measurement(fit.effects[k].name))
       for (const std::size_t unknown : fit.model->unknowns_of_effect(k))

@@ -45,7 +45,7 @@ std::vector<double> model_discrepancy_at(const Observations& seen, const Hypothe
                                          const std::vector<double>& time) {
   const auto& gap = fit.hypothesis.model_discrepancy;
   if (!gap) return std::vector<double>(time.size(), 0.0);
-  const LumpedResult& lumped = fit.model->impact(values, shot);
+  const ModelledImpact& lumped = fit.model->impact(values, shot);
   const MeasuredImpact& measured = seen.shots[shot];
   const Trace with =
       gap->added_to(lumped.trace, lumped.scalars, measured.ball, measured.impact.speed);

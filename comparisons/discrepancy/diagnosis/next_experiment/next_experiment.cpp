@@ -22,6 +22,13 @@ auto unless_unsolved(const Work& work) -> std::optional<decltype(work())> {
   }
 }
 
+/// A believed FE model is run for impacts only.
+bool is_slow(const PlannedExperiment& planned) {
+  return std::any_of(planned.records.begin(), planned.records.end(), [](const PlannedRecord& one) {
+    return one.quantity == RecordedQuantity::slow_force;
+  });
+}
+
 }  // namespace
 
 std::string label_of(const std::vector<EffectChoice>& effects) {
@@ -45,7 +52,9 @@ std::vector<NextExperiment> next_experiments(const Observations& seen,
     if (auto found = unless_unsolved([&] { return held_by_the_data(*one); }))
       held.push_back(std::move(*found));
   std::vector<NextExperiment> experiments;
-  for (const PlannedExperiment& planned : possible_experiments(seen))
+  std::vector<PlannedExperiment> possible = possible_experiments(seen);
+  if (candidates.front()->model->fem()) std::erase_if(possible, is_slow);
+  for (const PlannedExperiment& planned : possible)
     for (std::size_t i = 0; i < held.size(); ++i)
       for (std::size_t j = i + 1; j < held.size(); ++j) {
         const auto chance = unless_unsolved([&] {

@@ -9,7 +9,6 @@
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
-#include "lumped/integration/simulate.hpp"
 
 namespace rebound {
 namespace {
@@ -19,22 +18,19 @@ constexpr int slow_samples = 20;           // of a slow compression
 constexpr double slow_duration = 10.0;     // of its loading [s]
 constexpr double assumed_noise = 0.01;     // of the peak, where no history tells
 constexpr double slow_scale_error = 0.05;  // as the fit of slow compressions has it
-constexpr double slope_step = 1e-4;        // of an unknown's scale
 
 /// Abscissae of a record: instants, or deflections of a slow compression.
 using Places = std::vector<double>;
 
-LumpedProblem problem_of(const HypothesisFit& fit, const std::vector<double>& values,
-                         const PlannedRecord& record) {
-  LumpedProblem problem = fit.model->problem_at(values, record.like);
-  problem.impact.speed *= record.speed_factor;
-  problem.sphere.mass *= record.mass_factor;
-  return problem;
+Trace trace_of(const HypothesisFit& fit, const std::vector<double>& values,
+               const PlannedRecord& record) {
+  return fit.model->planned_impact(values, record.like, record.speed_factor, record.mass_factor)
+      .trace;
 }
 
 Places places_of(const HypothesisFit& a, const HypothesisFit& b, const PlannedRecord& record) {
-  const Trace first = simulate_fast(problem_of(a, a.values, record)).trace;
-  const Trace second = simulate_fast(problem_of(b, b.values, record)).trace;
+  const Trace first = trace_of(a, a.values, record);
+  const Trace second = trace_of(b, b.values, record);
   const auto peak = [](const Trace& t) {
     return *std::max_element(t.deflection.begin(), t.deflection.end());
   };
@@ -49,12 +45,12 @@ Places places_of(const HypothesisFit& a, const HypothesisFit& b, const PlannedRe
 
 Eigen::VectorXd reading(const HypothesisFit& fit, const std::vector<double>& values,
                         const PlannedRecord& record, const Places& places, double later = 0.0) {
-  const LumpedProblem problem = problem_of(fit, values, record);
   std::vector<double> read;
   if (record.quantity == RecordedQuantity::slow_force) {
+    const LumpedProblem problem = fit.model->problem_at(values, record.like);
     for (const double x : places) read.push_back(static_force(problem, x, slow_duration));
   } else {
-    const Trace trace = simulate_fast(problem).trace;
+    const Trace trace = trace_of(fit, values, record);
     MeasurementChain chain = fit.model->chain_at(values, record.like);
     chain.trigger_shift = later;
     read = record.quantity == RecordedQuantity::force ? reported_force(trace, chain, places)
@@ -77,6 +73,7 @@ Eigen::MatrixXd slopes_of(const HypothesisFit& fit, const PlannedRecord& record,
                           const Places& places, const Eigen::VectorXd& at) {
   const auto& unknowns = fit.model->unknowns();
   const auto& of_one_shot = fit.model->shot_nuisances();
+  const double slope_step = fit.model->difference_step();
   Eigen::MatrixXd slopes =
       Eigen::MatrixXd::Zero(at.size(), static_cast<Eigen::Index>(unknowns.size()));
   for (std::size_t j = 0; j < unknowns.size(); ++j) {

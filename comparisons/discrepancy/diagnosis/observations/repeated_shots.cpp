@@ -39,8 +39,8 @@ std::vector<std::size_t> shots_that_share(const Observations& seen, const Lumped
   return first;
 }
 
-LumpedResult between(const LumpedResult& a, const LumpedResult& b, double share) {
-  LumpedResult result = a;
+ModelledImpact between(const ModelledImpact& a, const ModelledImpact& b, double share) {
+  ModelledImpact result = a;
   result.trace.time = between(a.trace.time, b.trace.time, share);
   result.trace.force = between(a.trace.force, b.trace.force, share);
   result.trace.deflection = between(a.trace.deflection, b.trace.deflection, share);

@@ -16,6 +16,6 @@ namespace rebound {
 std::vector<std::size_t> shots_that_share(const Observations& seen, const LumpedModel& believed);
 
 /// a + share (b − a), column by column and scalar by scalar.
-LumpedResult between(const LumpedResult& a, const LumpedResult& b, double share);
+ModelledImpact between(const ModelledImpact& a, const ModelledImpact& b, double share);
 
 }  // namespace rebound

@@ -1,0 +1,135 @@
+#include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr int finer = 4;  // times the cells: half the edge
+
+/// By how much material numbers are moved to see what a correction is worth beside its own impact.
+constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
+/// Of what a mesh of half the edge changes, what one of no edge would change yet: second order.
+constexpr double still_missing = 1.0 / 3.0;
+
+Material moved(Material material) {
+  material.youngs_modulus *= moved_modulus;
+  for (PronyBranch& branch : material.branches) branch.ratio *= moved_ratio;
+  return material;
+}
+
+/// One impact on two meshes: what they differ by, and what is wrong with that elsewhere.
+struct ComparedImpact {
+  KnownDifferences known;
+  double history_error = 0.0;  ///< rms, over the peak force
+  ModelledImpact coarse, fine;
+};
+
+class MeshComparison {
+ public:
+  MeshComparison(const HypothesisFit& fit, const FemBelief& fine) : fit_(fit), fine_(fine) {}
+
+  void compare(const Observations& seen) {
+    for (const MeasuredImpact& shot : seen.shots) {
+      const auto [place, added] = impacts_.try_emplace({shot.ball, shot.impact.speed});
+      if (added) place->second = compared(shot);
+    }
+  }
+  std::vector<KnownDifferences> known() const {
+    std::vector<KnownDifferences> all;
+    for (const auto& [key, impact] : impacts_) all.push_back(impact.known);
+    return all;
+  }
+  Observations with_errors(Observations seen) const {
+    for (MeasuredImpact& shot : seen.shots) {
+      const ComparedImpact& impact = impacts_.at({shot.ball, shot.impact.speed});
+      const auto& force = shot.trace.force;
+      if (shot.has_history())
+        add_numerical_error(shot,
+                            impact.history_error * *std::max_element(force.begin(), force.end()));
+      for (const ScalarQuantity& scalar : scalar_quantities)
+        if (Measured& one = shot.*scalar.measured; one.has_error())
+          one.uncertainty = std::hypot(
+              *one.uncertainty, still_missing * (impact.fine.scalars.*scalar.modelled -
+                                                 impact.coarse.scalars.*scalar.modelled));
+    }
+    return seen;
+  }
+  double largest() const {
+    double largest = 0.0;
+    for (const auto& [key, impact] : impacts_) largest = std::max(largest, impact.history_error);
+    return largest;
+  }
+
+ private:
+  ComparedImpact compared(const MeasuredImpact& shot) const {
+    const FemBelief& coarse = *fit_.model->fem();
+    const Material material = fit_.model->material_at(fit_.values, shot.ball);
+    const auto effects = physical_effects(fit_.effects);
+    ComparedImpact impact;
+    impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
+    impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
+    Impact above = shot.impact;
+    above.speed *= 1.0 + FemBelief::faster;
+    impact.known = {.ball = shot.ball,
+                    .speed = shot.impact.speed,
+                    .finer = difference_between(impact.coarse, impact.fine),
+                    .faster = difference_between(
+                        impact.fine, fine_.run(shot.ball, above, material, effects))};
+    ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
+    impact.known.finer.apply(elsewhere);
+    impact.history_error = std::hypot(
+        still_missing * history_difference(impact.coarse, impact.fine),
+        history_difference(elsewhere,
+                           fine_.run(shot.ball, shot.impact, moved(material), effects)));
+    return impact;
+  }
+
+  const HypothesisFit& fit_;
+  const FemBelief& fine_;
+  std::map<std::pair<std::size_t, double>, ComparedImpact> impacts_;
+};
+
+std::vector<Material> materials_of(const HypothesisFit& fit, std::size_t balls) {
+  std::vector<Material> materials;
+  for (std::size_t ball = 0; ball < balls; ++ball)
+    materials.push_back(fit.model->material_at(fit.values, ball));
+  return materials;
+}
+
+}  // namespace
+
+SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
+                      const Observations& all, const Observations& seen,
+                      const Observations& unseen, const RunControl& control) {
+  const std::vector<Material> as_believed(all.balls.size(), believed.material);
+  const HypothesisFit first = fit_believed(
+      seen,
+      {.fem = std::make_shared<const FemBelief>(believed, all, as_believed, search_cells, control),
+       .effects = effects},
+      control);
+  const std::vector<Material> materials = materials_of(first, all.balls.size());
+  FemProblem fitted = believed;
+  fitted.material = materials.front();
+  const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, search_cells, control);
+  const FemBelief fine(fitted, all, materials, finer * search_cells, control);
+  const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = first.effects}, control);
+  MeshComparison comparison(fit, fine);
+  comparison.compare(seen);
+  comparison.compare(unseen);
+  const auto corrected = std::make_shared<const FemBelief>(
+      cut->with(materials_of(fit, 1).front()).with(comparison.known()));
+  return {.hypothesis = {.fem = corrected, .effects = fit.effects},
+          .seen = comparison.with_errors(seen),
+          .unseen = comparison.with_errors(unseen),
+          .numerical_uncertainty = comparison.largest(),
+          .cells = cut->cells(),
+          .finer_cells = fine.cells()};
+}
+
+}  // namespace rebound

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+
+namespace rebound {
+
+/// A believed FE model that is fit to be judged: cut for the material that the data ask for, and
+/// with its own numerical error among the errors of the data.
+struct SettledFem {
+  Hypothesis hypothesis;  ///< starts from the fitted material
+  Observations seen, unseen;
+  /// Error of the corrected mesh, rms over the contact, over the peak force; largest of all impacts
+  /// [-].
+  double numerical_uncertainty = 0.0;
+  int cells = 0, finer_cells = 0;
+};
+
+/// Cells of the mesh that searches run on. Differences to a finer one count as an error.
+inline constexpr int search_cells = 300;
+
+/// Fits a believed FE model to what was seen, cuts the balls anew for that material, corrects every
+/// impact by what four times the cells add to it (CarriedDifference), and measures what is still
+/// wrong:
+///
+///   ε² = (d/3)² + t²
+///
+///   d   what the finer mesh changes; a third of it is left by second order
+///   t   what the correction misses for a material with 1.05 times the modulus and 1.1 times the ratios
+///
+/// Histories: rms of the force over the contact, white and shared by blocks. Scalars: d/3 of each.
+///
+/// Errors: those of FemBelief and fit_believed(); Error(interrupted).
+SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
+                      const Observations& all, const Observations& seen,
+                      const Observations& unseen, const RunControl& control);
+
+}  // namespace rebound

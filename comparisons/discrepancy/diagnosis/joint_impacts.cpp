@@ -1,0 +1,143 @@
+// The impacts of a joint model, of either tier, run once each: the third part of JointModel.
+#include <algorithm>
+
+#include "comparisons/discrepancy/diagnosis/joint_model.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
+#include "lumped/integration/simulate.hpp"
+#include "lumped/laws/make_law.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr LumpedControls impact_controls{.relative_tolerance = 1e-7, .samples = 201};
+constexpr std::size_t most_kept = 256;  // impacts a shot
+
+ModelledImpact run_lumped(const LumpedProblem& problem) {
+  LumpedResult result = simulate_fast(problem);
+  return {.trace = std::move(result.trace),
+          .scalars = result.scalars,
+          .plate = problem.model.mechanisms.plate};
+}
+
+}  // namespace
+
+LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::size_t shot) const {
+  const MeasuredImpact& observed = seen_.shots[shot];
+  const MeasurementChain chain = chain_at(values, shot);
+  LumpedProblem problem{.sphere = observed.sphere,
+                        .impact = observed.impact,
+                        .model = believed_at(values, observed.ball),
+                        .controls = impact_controls};
+  problem.sphere.mass /= 1.0 + chain.mass_error;
+  if (!problem.model.damping_formula.empty() && observed.restitution.value)
+    problem.model.restitution = observed.restitution.value;
+  apply_effects(physical_effects(effects_at(values)), problem);
+  // Numbers fitted at a nominal speed belong to the shot, whatever its true speed.
+  problem.model.parameters = resolve_parameters(problem.model, problem.impact, problem.sphere);
+  problem.model.at_speed.clear();
+  problem.model.restitution.reset();
+  problem.model.damping_formula.clear();
+  problem.model.exact_damping_share = 0.0;
+  problem.impact.speed /= 1.0 + chain.speed_error;
+  return problem;
+}
+
+const JointModel::KeptImpact& JointModel::kept_impact(const std::vector<double>& values,
+                                                      std::size_t shot) const {
+  std::vector<double> key = impact_key(values, shot);
+  auto& kept = impacts_[shot];
+  if (const auto found = kept.find(key); found != kept.end()) return found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  auto run = std::make_shared<const ModelledImpact>(run_impact(values, shot));
+  return kept.emplace(std::move(key), std::move(run)).first->second;
+}
+
+ModelledImpact JointModel::run_at(const std::vector<double>& values, std::size_t shot,
+                                  double speed) const {
+  if (fem()) return run_in_fem(values, shot, speed);
+  LumpedProblem problem = problem_at(values, shot);
+  problem.impact.speed = speed;
+  return run_lumped(problem);
+}
+
+ModelledImpact JointModel::run_in_fem(const std::vector<double>& values, std::size_t shot,
+                                      double speed) const {
+  Impact impact = seen_.shots[shot].impact;
+  impact.speed = speed;
+  const std::size_t ball = seen_.shots[shot].ball;
+  return fem()->run(ball, impact, material_at(values, ball), physical_effects(effects_at(values)));
+}
+
+ModelledImpact JointModel::run_impact(const std::vector<double>& values, std::size_t shot) const {
+  constexpr double farthest = 3.0;  // times the distance of the two impacts
+  const std::size_t first = first_of_group_[shot];
+  const bool alone = std::count(first_of_group_.begin(), first_of_group_.end(), first) == 1;
+  const double speed = seen_.shots[shot].impact.speed / (1.0 + chain_at(values, shot).speed_error);
+  const double share = (speed / seen_.shots[first].impact.speed - 1.0) / faster;
+  // In FE a small change of speed is a line between two impacts always: nodes that touch one by
+  // one are noise beside it.
+  const bool on_the_line = (!alone || fem()) && std::abs(share) <= farthest;
+  ModelledImpact impact = on_the_line
+                              ? between(speed_pair(values, first).nominal,
+                                        speed_pair(values, first).above, share)
+                              : run_at(values, shot, speed);
+  if (!fem()) return impact;
+  // A heavier ball of a stiffer material moves alike, and the modulus is free: an error of the mass
+  // scales forces and needs no impact of its own.
+  return times_as_heavy(std::move(impact), 1.0 / (1.0 + chain_at(values, shot).mass_error));
+}
+
+const JointModel::SpeedPair& JointModel::speed_pair(const std::vector<double>& values,
+                                                    std::size_t first) const {
+  std::vector<double> key = impact_key(values, first);
+  key.pop_back();              // the speed error: both speeds are the group's own
+  if (fem()) key.pop_back();  // the mass error: see run_impact()
+  auto& kept = pairs_[first];
+  if (const auto found = kept.find(key); found != kept.end()) return found->second;
+  if (kept.size() >= most_kept) kept.clear();
+  const double speed = seen_.shots[first].impact.speed;
+  SpeedPair pair{run_at(values, first, speed), run_at(values, first, (1.0 + faster) * speed)};
+  return kept.emplace(std::move(key), std::move(pair)).first->second;
+}
+
+ModelledImpact JointModel::planned_impact(const std::vector<double>& values, std::size_t like,
+                                          double speed_factor, double mass_factor) const {
+  const MeasuredImpact& shot = seen_.shots[like];
+  const double speed =
+      speed_factor * shot.impact.speed / (1.0 + chain_at(values, like).speed_error);
+  if (fem()) {
+    Impact impact = shot.impact;
+    impact.speed = speed;
+    Material material = material_at(values, shot.ball);
+    material.youngs_modulus /= mass_factor;
+    return times_as_heavy(
+        fem()->run(shot.ball, impact, material, physical_effects(effects_at(values))), mass_factor);
+  }
+  LumpedProblem problem = problem_at(values, like);
+  problem.impact.speed = speed;
+  problem.sphere.mass *= mass_factor;
+  return run_lumped(problem);
+}
+
+void JointModel::forget_impacts() const {
+  for (auto& kept : impacts_) kept.clear();
+  for (auto& kept : pairs_) kept.clear();
+  for (auto& kept : blocks_) kept.clear();
+}
+
+std::vector<double> JointModel::impact_key(const std::vector<double>& values,
+                                           std::size_t shot) const {
+  // The impact itself does not depend on gain, baseline or the clock.
+  std::vector<double> key;
+  for (const std::size_t factor : unknowns_of_ball(seen_.shots[shot].ball))
+    key.push_back(values[factor]);
+  for (std::size_t k = 0; k < effects_.count(); ++k)
+    if (!is_measurement(hypothesis_.effects[k].name))
+      for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+  const MeasurementChain chain = chain_at(values, shot);
+  key.push_back(chain.mass_error);
+  key.push_back(chain.speed_error);
+  return key;
+}
+
+}  // namespace rebound

@@ -1,0 +1,38 @@
+#include "comparisons/inference/calibration/material_factors.hpp"
+
+#include <cmath>
+
+namespace rebound {
+namespace {
+
+constexpr double reach = 20.0;  // a factor, either way
+
+}  // namespace
+
+MaterialFactors::MaterialFactors(Material believed, const std::vector<Ball>& balls,
+                                 std::vector<CalibrationParameter>& unknowns)
+    : believed_(std::move(believed)), numbers_(material_numbers(believed_, reach)) {
+  for (const Ball& ball : balls) {
+    auto& own = places_.emplace_back();
+    for (const FreeMaterialNumber& number : numbers_) {
+      const double value = number_of(believed_, number);
+      own.push_back(unknowns.size());
+      unknowns.push_back(
+          {.name = balls.size() > 1 ? name_of(number) + " of " + ball.name : name_of(number),
+           .unit = "ln of factor",
+           .start = 0.0,
+           .lowest = std::log(number.lowest / value),
+           .highest = std::log(number.highest / value),
+           .scale = 1.0});
+    }
+  }
+}
+
+Material MaterialFactors::at(const std::vector<double>& values, std::size_t ball) const {
+  Material material = believed_;
+  for (std::size_t k = 0; k < numbers_.size(); ++k)
+    number_of(material, numbers_[k]) *= std::exp(values[places_[ball][k]]);
+  return material;
+}
+
+}  // namespace rebound
