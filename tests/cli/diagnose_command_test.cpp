@@ -128,7 +128,7 @@ TEST_F(DiagnoseCommand, BadInputIsRefusedWithItsPlace) {
     EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
   };
   refused(believed + "[sphere]\nmass = \"45 g\"\ndiameter = \"66.2 mm\"\n", "sphere.mass");
-  refused(replaced(believed, "lumped", "fem"), "model.tier");
+  refused(replaced(believed, "lumped", "fem"), "model.law");
   refused(replaced(believed, "stiffness", "stifness"), "stifness");
   EXPECT_EQ(
       rebound({"diagnose", "x/data", "--model", "believed.toml", "--hold-out", "7 m/s"}).exit_code,

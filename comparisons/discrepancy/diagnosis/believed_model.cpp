@@ -52,10 +52,9 @@ void describe(Visitor& visit, BelievedFemFile& file) {
                       describe_fem_model(inner, problem);
                       describe_effects(inner, file.impact.effects);
                     });
-  visit.table({.name = "controls",
-               .sentence = "Resolution in time.",
-               .presence = Presence::optional},
-              problem.controls);
+  visit.table(
+      {.name = "controls", .sentence = "Resolution in time.", .presence = Presence::optional},
+      problem.controls);
 }
 
 void check_same_ball(const Document& document, const Sphere& believed, const Dataset& dataset) {

@@ -101,8 +101,8 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
 /// The believed FE model as it is judged: cut for the fitted material, its numerical error known.
 Hypothesis settled(Diagnosis& d, const DiagnosisRequest& request, const Observations& all,
                    const RunControl& control) {
-  SettledFem fem = settle_fem(*request.believed_fem, request.believed_effects, all, *d.seen,
-                              *d.unseen, control);
+  SettledFem fem =
+      settle_fem(*request.believed_fem, request.believed_effects, all, *d.seen, *d.unseen, control);
   d.seen = std::make_shared<const Observations>(std::move(fem.seen));
   d.unseen = std::make_shared<const Observations>(std::move(fem.unseen));
   d.numerical_uncertainty = fem.numerical_uncertainty;
@@ -145,8 +145,8 @@ void show_missing_force(Diagnosis& d) {
       d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::unexplained;
   if (!missing) return;
   if (d.best().model->fem()) {
-    d.missing_force = MissingForce{.not_found_because =
-                                       "it is looked for beside a lumped law, not in FE"};
+    d.missing_force =
+        MissingForce{.not_found_because = "it is looked for beside a lumped law, not in FE"};
     return;
   }
   try {
@@ -186,8 +186,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
 
   d.believed_effects = request.believed_effects.size();
   Hypothesis baseline{.believed = request.believed,
-                            .effects = request.believed_effects,
-                            .model_discrepancy = nullptr};
+                      .effects = request.believed_effects,
+                      .model_discrepancy = nullptr};
   if (request.believed_fem)
     baseline.fem = std::make_shared<const FemBelief>(
         *request.believed_fem, all,

@@ -77,10 +77,9 @@ ModelledImpact JointModel::run_impact(const std::vector<double>& values, std::si
   // In FE a small change of speed is a line between two impacts always: nodes that touch one by
   // one are noise beside it.
   const bool on_the_line = (!alone || fem()) && std::abs(share) <= farthest;
-  ModelledImpact impact = on_the_line
-                              ? between(speed_pair(values, first).nominal,
-                                        speed_pair(values, first).above, share)
-                              : run_at(values, shot, speed);
+  ModelledImpact impact = on_the_line ? between(speed_pair(values, first).nominal,
+                                                speed_pair(values, first).above, share)
+                                      : run_at(values, shot, speed);
   if (!fem()) return impact;
   // A heavier ball of a stiffer material moves alike, and the modulus is free: an error of the mass
   // scales forces and needs no impact of its own.
@@ -90,7 +89,7 @@ ModelledImpact JointModel::run_impact(const std::vector<double>& values, std::si
 const JointModel::SpeedPair& JointModel::speed_pair(const std::vector<double>& values,
                                                     std::size_t first) const {
   std::vector<double> key = impact_key(values, first);
-  key.pop_back();              // the speed error: both speeds are the group's own
+  key.pop_back();             // the speed error: both speeds are the group's own
   if (fem()) key.pop_back();  // the mass error: see run_impact()
   auto& kept = pairs_[first];
   if (const auto found = kept.find(key); found != kept.end()) return found->second;

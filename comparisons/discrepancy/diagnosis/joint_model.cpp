@@ -7,7 +7,7 @@
 namespace rebound {
 namespace {
 
-constexpr double first_rise = 0.3;      // of the peak: above the noise, finds the start of contact
+constexpr double first_rise = 0.3;  // of the peak: above the noise, finds the start of contact
 
 /// Instant at which a force first rises above a share of its peak.
 double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
@@ -20,8 +20,7 @@ double rise_time(const std::vector<double>& time, const std::vector<double>& for
 std::variant<LawFactors, MaterialFactors> numbers_of(const Hypothesis& hypothesis,
                                                      const std::vector<Ball>& balls,
                                                      std::vector<CalibrationParameter>& unknowns) {
-  if (hypothesis.fem)
-    return MaterialFactors(hypothesis.fem->problem().material, balls, unknowns);
+  if (hypothesis.fem) return MaterialFactors(hypothesis.fem->problem().material, balls, unknowns);
   return LawFactors(hypothesis.believed, balls, unknowns);
 }
 
@@ -62,8 +61,8 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
 }
 
 const std::vector<std::size_t>& JointModel::unknowns_of_ball(std::size_t ball) const {
-  return std::visit([&](const auto& numbers) -> const auto& { return numbers.places(ball); },
-                    numbers_);
+  return std::visit(
+      [&](const auto& numbers) -> const auto& { return numbers.places(ball); }, numbers_);
 }
 
 void JointModel::add_shots() {

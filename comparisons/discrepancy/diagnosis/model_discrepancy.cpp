@@ -193,8 +193,8 @@ Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepanc
   for (MeasuredImpact& shot : seen.shots) {
     if (!shot.has_history()) continue;
     // It enters twice: in the fem_fit, and in the lumped model refitted to the fem_fit.
-    add_numerical_error(
-        shot, std::sqrt(2.0) * gap.numerical_uncertainty * peak_of(shot.trace.force));
+    add_numerical_error(shot,
+                        std::sqrt(2.0) * gap.numerical_uncertainty * peak_of(shot.trace.force));
   }
   return seen;
 }

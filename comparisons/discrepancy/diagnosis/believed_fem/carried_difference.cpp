@@ -26,8 +26,8 @@ void add_share(const std::vector<double>& added, double share, std::vector<doubl
 }
 
 struct ScalarRatio {
-  double ImpactScalars::* scalar;
-  double CarriedDifference::* ratio;
+  double ImpactScalars::*scalar;
+  double CarriedDifference::*ratio;
 };
 constexpr ScalarRatio ratios[] = {
     {&ImpactScalars::restitution, &CarriedDifference::restitution},

@@ -35,8 +35,8 @@ double history_difference(const ModelledImpact& a, const ModelledImpact& b);
 /// Differences known at one speed of a ball.
 struct KnownDifferences {
   std::size_t ball = 0;
-  double speed = 0.0;       ///< [m/s]
-  CarriedDifference finer;  ///< what a finer mesh adds
+  double speed = 0.0;        ///< [m/s]
+  CarriedDifference finer;   ///< what a finer mesh adds
   CarriedDifference faster;  ///< what a speed one per cent higher adds
 };
 

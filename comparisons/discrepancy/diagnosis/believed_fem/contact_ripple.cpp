@@ -8,7 +8,7 @@
 namespace rebound {
 namespace {
 
-constexpr double half_width = 0.06;  // of the contact
+constexpr double half_width = 0.06;   // of the contact
 constexpr Eigen::Index narrower = 3;  // times, at its ends, where the force starts as t^1.5
 
 /// Weights of points −before … after for the value at 0 of the parabola through them.

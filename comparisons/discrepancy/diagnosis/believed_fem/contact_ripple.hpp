@@ -16,7 +16,8 @@ namespace rebound {
 ///
 /// Valid:   a hundred instants and more.
 /// Limit:   a parabola is returned as it is -> test ContactRippleTest.AParabolaIsReturned.
-/// Caution: a load cell's reading on a plate that moves has no such ripple, and swings that are to be
+/// Caution: a load cell's reading on a plate that moves has no such ripple, and swings that are to
+/// be
 ///          seen: it is not for this.
 std::vector<double> without_ripple(const std::vector<double>& force);
 

@@ -54,9 +54,9 @@ class MeshComparison {
                             impact.history_error * *std::max_element(force.begin(), force.end()));
       for (const ScalarQuantity& scalar : scalar_quantities)
         if (Measured& one = shot.*scalar.measured; one.has_error())
-          one.uncertainty = std::hypot(
-              *one.uncertainty, still_missing * (impact.fine.scalars.*scalar.modelled -
-                                                 impact.coarse.scalars.*scalar.modelled));
+          one.uncertainty = std::hypot(*one.uncertainty,
+                                       still_missing * (impact.fine.scalars.*scalar.modelled -
+                                                        impact.coarse.scalars.*scalar.modelled));
     }
     return seen;
   }
@@ -76,17 +76,16 @@ class MeshComparison {
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
     Impact above = shot.impact;
     above.speed *= 1.0 + FemBelief::faster;
-    impact.known = {.ball = shot.ball,
-                    .speed = shot.impact.speed,
-                    .finer = difference_between(impact.coarse, impact.fine),
-                    .faster = difference_between(
-                        impact.fine, fine_.run(shot.ball, above, material, effects))};
+    impact.known = {
+        .ball = shot.ball,
+        .speed = shot.impact.speed,
+        .finer = difference_between(impact.coarse, impact.fine),
+        .faster = difference_between(impact.fine, fine_.run(shot.ball, above, material, effects))};
     ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
     impact.known.finer.apply(elsewhere);
     impact.history_error = std::hypot(
         still_missing * history_difference(impact.coarse, impact.fine),
-        history_difference(elsewhere,
-                           fine_.run(shot.ball, shot.impact, moved(material), effects)));
+        history_difference(elsewhere, fine_.run(shot.ball, shot.impact, moved(material), effects)));
     return impact;
   }
 
@@ -105,8 +104,8 @@ std::vector<Material> materials_of(const HypothesisFit& fit, std::size_t balls) 
 }  // namespace
 
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
-                      const Observations& all, const Observations& seen,
-                      const Observations& unseen, const RunControl& control) {
+                      const Observations& all, const Observations& seen, const Observations& unseen,
+                      const RunControl& control) {
   const std::vector<Material> as_believed(all.balls.size(), believed.material);
   const HypothesisFit first = fit_believed(
       seen,

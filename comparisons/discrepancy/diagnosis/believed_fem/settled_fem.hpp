@@ -25,13 +25,14 @@ inline constexpr int search_cells = 300;
 ///   ε² = (d/3)² + t²
 ///
 ///   d   what the finer mesh changes; a third of it is left by second order
-///   t   what the correction misses for a material with 1.05 times the modulus and 1.1 times the ratios
+///   t   what the correction misses for a material with 1.05 times the modulus and 1.1 times the
+///   ratios
 ///
 /// Histories: rms of the force over the contact, white and shared by blocks. Scalars: d/3 of each.
 ///
 /// Errors: those of FemBelief and fit_believed(); Error(interrupted).
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
-                      const Observations& all, const Observations& seen,
-                      const Observations& unseen, const RunControl& control);
+                      const Observations& all, const Observations& seen, const Observations& unseen,
+                      const RunControl& control);
 
 }  // namespace rebound
