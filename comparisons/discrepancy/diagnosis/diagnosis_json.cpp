@@ -202,6 +202,8 @@ Json to_json(const Diagnosis& d) {
           {"extended_model", nullptr},
           {"report", nullptr},
           {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
+          {"believed_tier", d.numerical_uncertainty ? "fem" : "lumped"},
+          {"numerical_uncertainty", number_or_null(d.numerical_uncertainty)},
           {"seed", d.seed}};
 }
 

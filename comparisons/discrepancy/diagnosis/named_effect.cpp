@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/inference/calibration/profile.hpp"
@@ -97,6 +98,7 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
       .effect = choice,
       .size = {.name = choice.name, .value = choice.size, .low = choice.size, .high = choice.size},
       .parameters = {}};
+  if (fit.model->fem()) std::swap(result.lumped, result.fem);  // the tier that was run
   if (!effect.to_fem) result.fem = "no-form";
   if (!effect.to_lumped) result.lumped = "no-form";
   const auto& unknowns = fit.model->unknowns_of_effect(k);

@@ -12,7 +12,7 @@ namespace rebound {
 /// in sets of two at most.
 ///
 /// Limit:  data of FE itself with one effect more than the belief
-///         -> test BelievedFemTest.ABranchThatIsMissingIsNamed.
+///         -> test BelievedFem.ABranchThatIsMissingIsNamed.
 /// Errors: those of settle_fem() and select_effects().
 void search_in_fem(Diagnosis& d, const DiagnosisRequest& request, const Observations& all,
                    const RunControl& whole);
