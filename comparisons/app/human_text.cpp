@@ -32,9 +32,22 @@ std::string text_of(const Characters& characters, std::size_t begin, std::size_t
   return text;
 }
 
-std::size_t longest_of(const std::vector<Characters>& block) {
+/// Where the first character that is no blank stands.
+std::size_t indent_of(const Characters& line) {
+  const auto first = std::find_if(line.begin(), line.end(), [](const auto& c) { return c != " "; });
+  return static_cast<std::size_t>(first - line.begin());
+}
+
+/// Columns are parted by two blanks at least; words of a sentence by one.
+bool has_columns(const Characters& line) {
+  for (std::size_t i = indent_of(line) + 1; i < line.size(); ++i)
+    if (line[i] == " " && line[i - 1] == " ") return true;
+  return false;
+}
+
+std::size_t longest_of(const std::vector<Characters*>& rows) {
   std::size_t longest = 0;
-  for (const Characters& line : block) longest = std::max(longest, line.size());
+  for (const Characters* row : rows) longest = std::max(longest, row->size());
   return longest;
 }
 
@@ -43,12 +56,12 @@ struct Gap {
   std::size_t size = 0;
 };
 
-/// Columns that are blank in every line, between columns that are not, right ones first.
-std::vector<Gap> gaps_of(const std::vector<Characters>& block) {
-  std::vector<bool> used(longest_of(block), false);
-  for (const Characters& line : block)
-    for (std::size_t i = 0; i < line.size(); ++i)
-      if (line[i] != " ") used[i] = true;
+/// Columns that are blank in every row, between columns that are not, right ones first.
+std::vector<Gap> gaps_of(const std::vector<Characters*>& rows) {
+  std::vector<bool> used(longest_of(rows), false);
+  for (const Characters* row : rows)
+    for (std::size_t i = 0; i < row->size(); ++i)
+      if ((*row)[i] != " ") used[i] = true;
   std::vector<Gap> gaps;
   const auto first = std::find(used.begin(), used.end(), true) - used.begin();
   for (auto i = static_cast<std::size_t>(first); i < used.size(); ++i) {
@@ -60,32 +73,28 @@ std::vector<Gap> gaps_of(const std::vector<Characters>& block) {
   return gaps;
 }
 
-/// Takes blanks out of the widest gap, one by one, until the block fits or no gap is wide.
-void narrow(std::vector<Characters>& block, std::size_t width) {
-  std::vector<Gap> gaps = gaps_of(block);
-  std::vector<std::size_t> before;
-  for (const Gap& gap : gaps) before.push_back(gap.size);
-  std::size_t length = longest_of(block);
-  while (length > width) {
+/// Takes blanks out of the widest gap, one by one, until the rows fit or no gap is wide.
+void narrow(const std::vector<Characters*>& rows, std::size_t width) {
+  std::vector<Gap> gaps = gaps_of(rows);
+  const std::vector<Gap> before = gaps;
+  for (std::size_t length = longest_of(rows); length > width; --length) {
     const auto widest = std::max_element(
         gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.size < b.size; });
     if (widest == gaps.end() || widest->size <= narrowest_gap) break;
     --widest->size;
-    --length;
   }
   for (std::size_t g = 0; g < gaps.size(); ++g)
-    for (Characters& line : block) {
-      const std::size_t end = std::min(line.size(), gaps[g].begin + before[g]);
+    for (Characters* row : rows) {
+      const std::size_t end = std::min(row->size(), before[g].begin + before[g].size);
       const std::size_t begin = gaps[g].begin + gaps[g].size;
       if (begin < end)
-        line.erase(line.begin() + static_cast<long>(begin), line.begin() + static_cast<long>(end));
+        row->erase(row->begin() + static_cast<long>(begin), row->begin() + static_cast<long>(end));
     }
 }
 
 /// Where the last column of a line begins that does so in the window's left half.
 std::size_t hanging_indent(const Characters& line, std::size_t width) {
-  std::size_t indent = 0;
-  while (indent < line.size() && line[indent] == " ") ++indent;
+  std::size_t indent = indent_of(line);
   for (std::size_t i = indent + narrowest_gap; i < std::min(line.size(), width / 2); ++i)
     if (line[i] != " " && line[i - 1] == " " && line[i - 2] == " ") indent = i;
   return indent;
@@ -155,7 +164,10 @@ std::string fitted_to_width(const std::string& text, std::size_t width) {
   std::string fitted;
   std::vector<Characters> block;
   const auto flush = [&] {
-    narrow(block, width);
+    std::vector<Characters*> rows;
+    for (Characters& line : block)
+      if (has_columns(line)) rows.push_back(&line);
+    narrow(rows, width);
     for (const Characters& line : block) fitted += wrapped(line, width);
     block.clear();
   };

@@ -20,10 +20,11 @@ std::string count_text(std::size_t count);
 ///   per_second   share done in a second [1/s]
 std::string rate_text(double per_second);
 
-/// Text for a window of `width` characters. Of lines that lie together the gaps between columns are
-/// narrowed to two blanks, as far as is needed; a line that is still too long goes on below,
-/// between words, under the last column that begins in the left half. Text that fits, and a word
-/// that is longer than the window, stay as they are. Takes each code point for one character wide.
+/// Text for a window of `width` characters. Of rows that lie together the gaps between columns are
+/// narrowed to two blanks, as far as is needed, sentences between them left aside; a line that is
+/// still too long goes on below, between words, under the last column that begins in the left half.
+/// Text that fits, and a word that is longer than the window, stay as they are. Takes each code
+/// point for one character wide.
 std::string fitted_to_width(const std::string& text, std::size_t width);
 
 }  // namespace rebound

@@ -55,6 +55,13 @@ TEST(FittedToWidth, GapsBetweenColumnsAreNarrowedAndColumnsStayColumns) {
             "Kuwabara\u2013Kono               2       62.8\n");
 }
 
+TEST(FittedToWidth, ASentenceBelowATableDoesNotHoldItsColumnsApart) {
+  EXPECT_EQ(fitted_to_width(table + "verdict: Hunt-Crossley, by information criterion alone\n", 40),
+            fitted_to_width(table, 40) +
+                "verdict: Hunt-Crossley, by information\n"
+                "criterion alone\n");
+}
+
 TEST(FittedToWidth, ALongLineGoesOnUnderItsLastColumn) {
   EXPECT_EQ(fitted_to_width("seed        1\n"
                             "equation    the force grows with the power three halves\n",
