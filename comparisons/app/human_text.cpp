@@ -122,6 +122,50 @@ std::string wrapped(Characters line, std::size_t width) {
   return text + text_of(line, 0, line.size()) + "\n";
 }
 
+struct Fold {
+  std::vector<std::size_t> starts;  ///< columns at which rows go on below
+  std::size_t indent = 0;           ///< of what goes on
+};
+
+/// Where rows that are still too long can all go on below, so that columns stay columns. Empty
+/// where they are no table, but names with a sentence beside them, or where one column is too wide.
+Fold fold_of(const std::vector<Characters*>& rows, std::size_t width) {
+  constexpr std::size_t gaps_of_a_table = 3;
+  std::vector<Gap> gaps = gaps_of(rows);
+  if (gaps.size() < gaps_of_a_table || longest_of(rows) <= width) return {};
+  std::reverse(gaps.begin(), gaps.end());
+  Fold fold;
+  for (const Gap& gap : gaps)
+    if (gap.begin + gap.size <= width / 3) fold.indent = gap.begin + gap.size;
+  gaps.push_back({longest_of(rows), 0});
+  std::size_t start = 0, room = width, last_fitting = 0;
+  for (const Gap& gap : gaps) {
+    if (gap.begin - start > room) {
+      if (last_fitting == start) return {};
+      fold.starts.push_back(last_fitting);
+      start = last_fitting;
+      room = width - fold.indent;
+      if (gap.begin - start > room) return {};
+    }
+    last_fitting = gap.begin + gap.size;
+  }
+  return fold;
+}
+
+std::string folded(const Characters& row, const Fold& fold) {
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t part = 0; part <= fold.starts.size() && begin < row.size(); ++part) {
+    const std::size_t next = part < fold.starts.size() ? fold.starts[part] : row.size();
+    std::size_t end = std::min(next, row.size());
+    while (end > begin && row[end - 1] == " ") --end;
+    if (part > 0 && end > begin) text += std::string(fold.indent, ' ');
+    if (end > begin) text += text_of(row, begin, end) + "\n";
+    begin = next;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -168,7 +212,10 @@ std::string fitted_to_width(const std::string& text, std::size_t width) {
     for (Characters& line : block)
       if (has_columns(line)) rows.push_back(&line);
     narrow(rows, width);
-    for (const Characters& line : block) fitted += wrapped(line, width);
+    const Fold fold = fold_of(rows, width);
+    for (const Characters& line : block)
+      fitted +=
+          has_columns(line) && !fold.starts.empty() ? folded(line, fold) : wrapped(line, width);
     block.clear();
   };
   std::size_t begin = 0;

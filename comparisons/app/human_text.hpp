@@ -21,7 +21,8 @@ std::string count_text(std::size_t count);
 std::string rate_text(double per_second);
 
 /// Text for a window of `width` characters. Of rows that lie together the gaps between columns are
-/// narrowed to two blanks, as far as is needed, sentences between them left aside; a line that is
+/// narrowed to two blanks, as far as is needed, sentences between them left aside; a table
+/// that is still too wide goes on below at one of its gaps, and a line that is
 /// still too long goes on below, between words, under the last column that begins in the left half.
 /// Text that fits, and a word that is longer than the window, stay as they are. Takes each code
 /// point for one character wide.

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/run_example.hpp"
 
 namespace rebound::testing {
 namespace {
@@ -72,23 +72,12 @@ TEST_F(FirstHourTest, AMisspeltExampleGetsTheNearOne) {
   EXPECT_EQ(rebound({"init", "lumped", "--from", "a.csv"}).exit_code, 2);
 }
 
-// Impacts by finite elements take their time: those are run where that tier is tested, and
-// the diagnosis and the comparison by the test of the README.
+// Those of finite elements are run where that tier is tested; the diagnosis and the comparison
+// take longest, and the test of the README runs them on the same files.
 TEST_F(FirstHourTest, WhatAnExampleProposesWorks) {
   for (const char* name :
-       {"lumped", "measurements", "calibration", "selection", "benchmark", "campaign"}) {
-    const std::string where = std::string("a folder of ") + name;
-    const Outcome init = rebound({"init", name, "--out", where, "--json"});
-    ASSERT_EQ(init.exit_code, 0) << init.errors;
-    const auto next = nlohmann::json::parse(init.output)["next"];
-    ASSERT_FALSE(next.empty());
-    for (const std::string command : next) {
-      const std::string program = replaced(command, "rebound ", std::string(REBOUND_PROGRAM) + " ");
-      const Outcome outcome =
-          run_program({.arguments = {"/bin/sh", "-c", program}, .folder = folder.path()});
-      EXPECT_EQ(outcome.exit_code, 0) << command << "\n" << outcome.errors;
-    }
-  }
+       {"lumped", "measurements", "calibration", "selection", "benchmark", "campaign"})
+    run_example(folder, name);
 }
 
 TEST_F(FirstHourTest, AMisspeltCommandOrOptionGetsTheNearOne) {

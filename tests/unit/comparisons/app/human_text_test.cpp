@@ -62,6 +62,19 @@ TEST(FittedToWidth, ASentenceBelowATableDoesNotHoldItsColumnsApart) {
                 "criterion alone\n");
 }
 
+TEST(FittedToWidth, AWideTableGoesOnBelowAndItsColumnsStayColumns) {
+  EXPECT_EQ(fitted_to_width("mesh    cells  vertices  angle\n"
+                            "coarse     64        80   20.5\n"
+                            "fine     1024      1100    9.5\n",
+                            26),
+            "mesh    cells  vertices\n"
+            "        angle\n"
+            "coarse     64        80\n"
+            "         20.5\n"
+            "fine     1024      1100\n"
+            "          9.5\n");
+}
+
 TEST(FittedToWidth, ALongLineGoesOnUnderItsLastColumn) {
   EXPECT_EQ(fitted_to_width("seed        1\n"
                             "equation    the force grows with the power three halves\n",
