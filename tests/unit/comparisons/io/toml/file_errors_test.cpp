@@ -72,21 +72,20 @@ relaxation_time = 0.5
 colour = "red"
 [control]
 )");
-  EXPECT_EQ(
-      all,
-      (Told{"3 impact.sped: this key is not known; did you mean \"speed\"?",
-            "4 sphere.diameter: this key is missing", "5 sphere.mass: the value is out of range",
-            "9 model.damping: a number with its unit is needed, such as \"12 "
-            "N.s/m^2.5\"",
-            "10 model.stiffness: \"3.5e6 N/m\" is in N/m, which is not a multiple of N/m^1.5",
-            "11 model.dampng_formula: this key is not known; did you mean "
-            "\"damping_formula\"?",
-            "12 model.plate: a table [model.plate] is needed here",
-            "15 model.effect[0].size: the value is out of range",
-            "16 model.effect[0].relaxation_time: a number with its unit is needed, such "
-            "as \"0.5 s\"",
-            "17 model.effect[0].colour: this key is not known",
-            "18 control: this key is not known; did you mean \"controls\"?"}));
+  std::string lines;
+  for (const std::string& one : all) lines += one + "\n";
+  EXPECT_EQ(lines, R"(3 impact.sped: this key is not known; did you mean "speed"?
+4 sphere.diameter: this key is missing
+5 sphere.mass: the value is out of range
+9 model.damping: a number with its unit is needed, such as "12 N.s/m^2.5"
+10 model.stiffness: "3.5e6 N/m" is in N/m, which is not a multiple of N/m^1.5
+11 model.dampng_formula: this key is not known; did you mean "damping_formula"?
+12 model.plate: a table [model.plate] is needed here
+15 model.effect[0].size: the value is out of range
+16 model.effect[0].relaxation_time: a number with its unit is needed, such as "0.5 s"
+17 model.effect[0].colour: this key is not known
+18 control: this key is not known; did you mean "controls"?
+)");
 }
 
 TEST(FileErrorsTest, EachHasItsPlaceValueAndRange) {
