@@ -7,7 +7,9 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/human_text.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/atlas/atlas_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/toml/document.hpp"
@@ -79,9 +81,10 @@ ExitCode run_atlas(const Session& session, const std::string& path) {
   if (session.json())
     fmt::print("{}", dump(json));
   else
-    fmt::print("{}\n{} impacts, {} run now in {:.1f} s; maps in {}\n", to_text(atlas),
-               atlas.entries.size() * grid.speeds.size(), atlas.impacts_run, atlas.impact_seconds,
-               (out / "report.html").string());
+    print_text(fmt::format("{}\n{} impacts, {} run now in {}; maps in {}\n", to_text(atlas),
+                           count_text(atlas.entries.size() * grid.speeds.size()),
+                           count_text(static_cast<std::size_t>(atlas.impacts_run)),
+                           duration_text(atlas.impact_seconds), (out / "report.html").string()));
   return ExitCode::done;
 }
 

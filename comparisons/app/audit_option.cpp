@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/audit/audit_text.hpp"
 #include "comparisons/io/toml/impact_file.hpp"
 #include "comparisons/models/fem_access/fem_runner.hpp"
@@ -32,7 +33,10 @@ ExitCode run_audit_option(const Session& session, const std::string& path,
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));
     write_file_atomically(session.out / "audit.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(audit));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(audit));
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 #include "comparisons/app/calibration_text.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/benchmark/benchmark_file.hpp"
 #include "comparisons/inference/references/read_references.hpp"
 #include "comparisons/io/toml/document.hpp"
@@ -56,7 +57,10 @@ ExitCode run_benchmark(const Session& session, const std::string& path) {
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));
     write_file_atomically(session.out / "benchmark.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(matrix));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(matrix));
   return ExitCode::done;
 }
 

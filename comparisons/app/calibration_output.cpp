@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "comparisons/app/calibration_text.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
@@ -33,8 +34,10 @@ ExitCode write_calibration(const Session& session, const Document& document,
   }
   if (session.json())
     fmt::print("{}", dump(json));
-  else
-    fmt::print("{}\n{}", to_text(output.fit), output.model_toml);
+  else {
+    print_text(to_text(output.fit) + "\n");
+    fmt::print("{}", output.model_toml);  // a file: as it stands
+  }
   return output.fit.converged ? ExitCode::done : ExitCode::solver_failed;
 }
 

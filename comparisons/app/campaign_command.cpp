@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/human_text.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/studies/campaign/campaign_query.hpp"
 #include "comparisons/studies/campaign/run_campaign.hpp"
@@ -56,8 +58,9 @@ ExitCode run_query(const Session& session, const CampaignOptions& options) {
   else if (options.csv.empty())
     fmt::print("{}", table.csv);
   else
-    fmt::print("{} of {} members, {} without a result, in {}\n", table.found, table.members,
-               table.failed, options.csv);
+    print_text(fmt::format("{} of {} members, {} without a result, in {}\n",
+                           count_text(table.found), count_text(table.members),
+                           count_text(table.failed), options.csv));
   return ExitCode::done;
 }
 
@@ -81,10 +84,11 @@ ExitCode run_all(const Session& session, const CampaignOptions& options) {
   if (session.json())
     fmt::print("{}", dump(to_json(done)));
   else
-    fmt::print(
-        "shard {}/{}: {} members, {} run now in {:.3g} s, {} found, {} without a result; {}\n",
-        shard.number, shard.of, done.members, done.run, done.elapsed_seconds, done.found,
-        done.failed, done.file.string());
+    print_text(fmt::format(
+        "shard {}/{}: {} members, {} run now in {}, {} found, {} without a result; {}\n",
+        shard.number, shard.of, count_text(done.members), count_text(done.run),
+        duration_text(done.elapsed_seconds), count_text(done.found), count_text(done.failed),
+        done.file.string()));
   return ExitCode::done;
 }
 

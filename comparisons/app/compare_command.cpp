@@ -8,6 +8,7 @@
 #include "comparisons/accuracy/tier_comparison/comparison_output.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -67,7 +68,10 @@ ExitCode run_compare(const Session& session, const CompareOptions& options) {
     stored["provenance"] = to_json(provenance_of(session, options.file, document.text()));
     write_file_atomically(session.out / "comparison.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(comparisons));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(comparisons));
   return json["passes"].get<bool>() ? ExitCode::done : ExitCode::comparison_failed;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/convert/conversion_file.hpp"
 #include "comparisons/evaluation/convert/conversion_text.hpp"
 #include "comparisons/io/toml/document.hpp"
@@ -42,7 +43,10 @@ ExitCode run_convert(const Session& session, const std::string& path) {
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));
     write_file_atomically(session.out / "convert.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(request, table));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(request, table));
   return ExitCode::done;
 }
 

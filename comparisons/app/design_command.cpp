@@ -5,6 +5,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/design/design_output.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
@@ -34,7 +35,7 @@ ExitCode run_design(const Session& session, const std::string& path, std::uint64
   if (session.json())
     fmt::print("{}", dump(json));
   else
-    fmt::print("{}", to_text(design));
+    print_text(to_text(design));
   return ExitCode::done;
 }
 

@@ -6,6 +6,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
@@ -120,7 +121,7 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   if (session.json())
     fmt::print("{}", dump(json));
   else
-    fmt::print("{}report    {}\n", to_text(diagnosis), (out / "report.html").string());
+    print_text(fmt::format("{}report    {}\n", to_text(diagnosis), (out / "report.html").string()));
   const bool gap = diagnosis.verdict != DiagnosisVerdict::agrees &&
                    diagnosis.verdict != DiagnosisVerdict::insufficient_data;
   return options.fail_on_gap && gap ? ExitCode::comparison_failed : ExitCode::done;

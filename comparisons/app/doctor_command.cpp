@@ -7,6 +7,7 @@
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/examples.hpp"
 #include "comparisons/app/print_result.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -98,8 +99,8 @@ ExitCode run_doctor(const Session& session) {
     healthy = healthy && finding.healthy;
     list.push_back({{"what", finding.what}, {"state", finding.state}, {"ok", finding.healthy}});
     if (!session.json())
-      fmt::print("{:<8}{:<24}{}\n", finding.healthy ? "ok" : "PROBLEM", finding.what,
-                 finding.state);
+      print_text(fmt::format("{:<8}{:<24}{}\n", finding.healthy ? "ok" : "PROBLEM", finding.what,
+                             finding.state));
   }
   if (session.json())
     print_result(session, {{"schema", 1},

@@ -6,6 +6,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/drop_test/fem_drop.hpp"
 #include "comparisons/evaluation/drop_test/regulation.hpp"
 #include "comparisons/evaluation/drop_test/stored_calibration.hpp"
@@ -134,7 +135,10 @@ ExitCode run_drop(const Session& session, const std::string& given, const std::s
     stored["provenance"] = to_json(provenance_of(session, path.string(), read_text_file(path)));
     write_file_atomically(session.out / "drop.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(outcome, options));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(outcome, options));
   return ExitCode::done;
 }
 

@@ -1,61 +1,26 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <system_error>
 
 #include "comparisons/app/commands.hpp"
-#include "comparisons/app/examples.hpp"
+#include "comparisons/app/named_examples.hpp"
 #include "comparisons/app/print_result.hpp"
-#include "comparisons/io/dataset/describe_dataset.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/dataset/guess_dataset.hpp"
-#include "comparisons/io/toml/describe_compression.hpp"
-#include "comparisons/io/toml/describe_fem.hpp"
-#include "comparisons/io/toml/describe_lumped.hpp"
-#include "comparisons/io/toml/toml_writer.hpp"
 #include "comparisons/io/toml/units.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
 namespace {
 
-/// A file to start from: its name, what to do with it, its text. Other rooms
-/// add theirs here.
-struct Starter {
-  const char* file;
-  const char* use;
-  std::string (*text)();
-};
-
-const std::vector<Starter>& starters() {
-  static const std::vector<Starter> list{
-      {"lumped.toml", "an impact for `rebound lumped`",
-       [] { return write_toml(example_lumped_problem(), Comments::sentences); }},
-      {"fem.toml", "an impact for `rebound fem`",
-       [] { return write_toml(example_fem_problem(), Comments::sentences); }},
-      {"compression.toml", "a slow compression between platens for `rebound compress`",
-       [] { return write_toml(example_compression(), Comments::sentences); }},
-      {"synthesis.toml", "an experiment for `rebound synthesize`, with something hidden in it",
-       [] { return write_toml(example_synthesis(), Comments::sentences); }},
-      {"dataset/dataset.toml", "the data set of a study; its CSV files go beside it",
-       [] { return write_toml(example_dataset(), Comments::sentences); }},
-      {"calibrate.toml",
-       "a fit for `rebound calibrate`, once `rebound lumped lumped.toml --out reference` has run",
-       [] { return write_toml(example_calibration(), Comments::sentences); }},
-      {"select.toml", "two laws for `rebound select`, on the same reference",
-       [] { return write_toml(example_selection(), Comments::sentences); }},
-      {"benchmark.toml", "two laws for `rebound benchmark`, on the same reference",
-       [] { return write_toml(example_benchmark(), Comments::sentences); }},
-      {"campaign.toml", "many impacts like lumped.toml for `rebound campaign`",
-       [] { return write_toml(example_campaign(), Comments::sentences); }},
-      {"compare.toml", "both tiers against each other for `rebound compare`",
-       [] { return write_toml(example_comparison(), Comments::sentences); }},
-  };
-  return list;
-}
-
 struct InitOptions {
   std::string what;
   std::string from;
+  bool list = false;
   DatasetHints hints;
 };
 
@@ -123,25 +88,62 @@ ExitCode run_init_dataset(const Session& session, const InitOptions& options) {
   return ExitCode::done;
 }
 
+/// The names of the examples, a line each.
+ExitCode list_examples(const Session& session) {
+  Json listed = {{"schema", 1}};
+  for (const NamedExample& example : named_examples()) listed[example.name] = example.shows;
+  print_result(session, listed);
+  return ExitCode::done;
+}
+
+/// Writes files to start from; none of them where one is there already.
+Json write_examples(const std::filesystem::path& folder, const std::vector<ExampleFile>& files) {
+  for (const ExampleFile& example : files)
+    if (std::filesystem::exists(folder / example.file)) refuse_overwriting(folder / example.file);
+  Json written = {{"schema", 1}};
+  for (const ExampleFile& example : files) {
+    const std::filesystem::path file = folder / example.file;
+    make_writable_folder(file.parent_path());
+    write_file_atomically(file, example.text());
+    written[file.string()] = example.use;
+  }
+  return written;
+}
+
+/// The files of one example, and what to do with them.
+ExitCode run_named(const Session& session, const NamedExample& example,
+                   const std::filesystem::path& folder) {
+  std::vector<ExampleFile> files;
+  for (const ExampleFile& file : example_files())
+    if (std::find(example.files.begin(), example.files.end(), file.file) != example.files.end())
+      files.push_back(file);
+  Json written = write_examples(folder, files);
+  const auto next = commands_in(example, folder);
+  if (session.json()) written["next"] = next;
+  print_result(session, written);
+  if (!session.json())
+    for (const std::string& command : next) print_text(fmt::format("{:<28}{}\n", "next", command));
+  return ExitCode::done;
+}
+
 ExitCode run_init(const Session& session, const InitOptions& options) {
-  if (!options.from.empty()) return run_init_dataset(session, options);
-  if (!options.what.empty())
+  if (options.list) return list_examples(session);
+  const bool dataset = options.what == "dataset";
+  if (!options.from.empty() && (dataset || options.what.empty()))
+    return run_init_dataset(session, options);
+  if (dataset)
     throw Error(
         ExitCode::bad_input, "which file is the data set made from?",
         {.file = {}, .key = "--from", .value = {}, .allowed = "init dataset --from FILE.csv"});
   const std::filesystem::path folder = session.out.empty() ? "." : session.out;
-  for (const Starter& starter : starters())
-    if (std::filesystem::exists(folder / starter.file))
-      throw Error(ExitCode::bad_input, "the file is there already and is not overwritten",
-                  {.file = (folder / starter.file).string()});
-  Json written = {{"schema", 1}};
-  for (const Starter& starter : starters()) {
-    const std::filesystem::path file = folder / starter.file;
-    make_writable_folder(file.parent_path());
-    write_file_atomically(file, starter.text());
-    written[file.string()] = starter.use;
+  if (!options.what.empty()) {
+    const NamedExample& example = named_example(options.what);
+    if (!options.from.empty())
+      throw Error(ExitCode::bad_input, "this belongs to `init dataset`, an example has none",
+                  {.key = "--from", .value = options.from});
+    return run_named(session, example, folder);
   }
-  print_result(session, written);
+  print_result(session, write_examples(folder, example_files()));
   return ExitCode::done;
 }
 
@@ -149,14 +151,22 @@ ExitCode run_init(const Session& session, const InitOptions& options) {
 
 Action declare_init(CLI::App& command) {
   const auto options = std::make_shared<InitOptions>();
-  command.add_option("WHAT", options->what, "dataset: a data set around a file of measurements")
-      ->check(CLI::IsMember({"dataset"}));
+  std::string names = "dataset";
+  for (const NamedExample& example : named_examples()) names += "," + example.name;
+  // In braces as CLI11 writes a choice, for completions; a misspelt name is refused by the action.
+  command
+      .add_option("WHAT", options->what,
+                  "An example's name: its files alone. dataset: a data set around a file of "
+                  "measurements")
+      ->type_name("TEXT:{" + names + "}");
+  command.add_flag("--list", options->list, "Print the examples, and what each shows");
   command.add_option("--from", options->from, "CSV file of a recorder or a spreadsheet");
   command.add_option("--mass", options->hints.mass, "Of the ball, e.g. \"89.6 g\"");
   command.add_option("--diameter", options->hints.diameter, "Of the ball, e.g. \"66.2 mm\"");
   command.add_option("--speed", options->hints.speed, "Of a trace's impact, e.g. \"15 m/s\"");
   command.footer(
-      "Writes commented files to start from into --out (default: here).\n"
+      "Writes commented files to start from into --out (default: here): all of them, or those of\n"
+      "one example, `init diagnosis`, with the commands that use them; --list has the names.\n"
       "init dataset --from FILE writes a data set around a file into --out (default: a folder of "
       "the\n"
       "file's name beside it): a copy of the file and a manifest in which every guess is marked.\n"

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/inspection/inspection_output.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
 #include "comparisons/io/report/write_report.hpp"
@@ -36,7 +37,7 @@ ExitCode run_inspect(const Session& session, const InspectOptions& options) {
   if (session.json())
     fmt::print("{}", dump(json));
   else
-    fmt::print("{}", to_text(inspection));
+    print_text(to_text(inspection));
   const bool failed = options.fail_on_contradiction && !inspection.contradictions.empty();
   return failed ? ExitCode::comparison_failed : ExitCode::done;
 }

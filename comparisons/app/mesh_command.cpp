@@ -10,6 +10,7 @@
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/units.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
@@ -77,7 +78,10 @@ ExitCode run_comparison(const Session& session, const MeshOptions& options) {
   }();
   const Json json = to_json(outcomes);
   if (!session.out.empty()) write_file_atomically(session.out / "mesh_comparison.json", dump(json));
-  fmt::print("{}", session.json() ? dump(json) : to_text(outcomes));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(outcomes));
   return ExitCode::done;
 }
 

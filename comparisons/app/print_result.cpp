@@ -7,6 +7,7 @@
 
 #include "comparisons/accuracy/numerical_error/reference_impact.hpp"
 #include "comparisons/app/interruption.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -17,6 +18,14 @@ std::string text_of(const Json& value) {
   return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>())
          : value.is_string()     ? value.get<std::string>()
                                  : value.dump();
+}
+
+/// A share is read in per cent; the number stays beside it for whoever reads by key.
+std::string with_per_cent(const std::string& key, const Json& value) {
+  std::string text = text_of(value);
+  if (key.ends_with("_share") && value.is_number())
+    text = fmt::format("{:<12}{:.3g} %", text, 100.0 * value.get<double>());
+  return text;
 }
 
 /// Value and half width, the latter also as a share of the value.
@@ -39,18 +48,20 @@ void print_result(const Session& session, const Json& result) {
     fmt::print("{}", dump(result));
     return;
   }
+  std::string lines;
   // Of a result with error bars the shares of the bars and the runs behind them are in
   // the JSON alone.
   const Json uncertainty = result.value("uncertainty", Json::object());
   for (const auto& [key, value] : result.items()) {
     if (key == "schema" || key == "uncertainty" || key == "uncertainty_basis") continue;
-    std::string text = text_of(value);
+    std::string text = with_per_cent(key, value);
     if (key == "reference") text = reference_sentence(value);
     if (key == "family") text = fmt::format("{} runs", value.size());
     if (uncertainty.contains(key))
       text = with_error(value.get<double>(), uncertainty[key].get<double>());
-    fmt::print("{:<28}{}\n", key, text);
+    lines += fmt::format("{:<28}{}\n", key, text);
   }
+  print_text(lines);
 }
 
 std::vector<EffectChoice> without_measurement(const std::vector<EffectChoice>& effects) {

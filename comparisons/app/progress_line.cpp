@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "comparisons/app/human_text.hpp"
 #include "comparisons/app/interruption.hpp"
 
 namespace rebound {
@@ -27,8 +29,9 @@ void ProgressLine::show(double fraction) {
   last_ = now;
   shown_ = true;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\r\033[K{}  {:.0f} %  {:.3g} %/s  {:.0f} s left", what_, 100.0 * fraction,
-             100.0 * fraction / elapsed, elapsed * (1.0 - fraction) / fraction);
+  fmt::print(stderr, "\r\033[K{}  {:.0f} %  {}  {} left", what_, 100.0 * fraction,
+             rate_text(fraction / elapsed),
+             duration_text(std::ceil(elapsed * (1.0 - fraction) / fraction)));
   std::fflush(stderr);
 }
 

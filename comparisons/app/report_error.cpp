@@ -4,8 +4,10 @@
 
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "comparisons/io/results/json.hpp"
+#include "comparisons/io/toml/file_errors.hpp"
 
 namespace rebound {
 namespace {
@@ -15,27 +17,48 @@ std::string shortened(const std::string& value) {
   return value.size() <= longest ? value : value.substr(0, longest) + "...";
 }
 
+Error with_short_value(const Error& error) {
+  ErrorLocation location = error.location();
+  location.value = shortened(location.value);
+  return {error.code(), error.what(), location};
+}
+
+std::string text_of(const Error& error) {
+  const ErrorLocation& at = error.location();
+  std::string text = "rebound: ";
+  if (!at.file.empty()) text += at.file;
+  if (at.line > 0) text += fmt::format(":{}", at.line);
+  if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
+  if (!at.file.empty()) text += ": ";
+  if (!at.key.empty()) text += at.key;
+  if (!at.key.empty() && !at.value.empty()) text += " = ";
+  if (!at.value.empty()) text += shortened(at.value);
+  if (!at.key.empty() || !at.value.empty()) text += ": ";
+  text += error.what();
+  if (!at.allowed.empty()) text += "\n         allowed: " + at.allowed;
+  return text + "\n";
+}
+
+/// All errors where one file has several, else the one.
+std::vector<Error> all_of(const Error& error) {
+  if (const auto* several = dynamic_cast<const FileErrors*>(&error)) return several->errors();
+  return {error};
+}
+
 }  // namespace
 
 int report_error(const Error& error, bool as_json) {
-  const ErrorLocation& at = error.location();
+  const std::vector<Error> all = all_of(error);
   if (as_json) {
-    ErrorLocation location = at;
-    location.value = shortened(at.value);
-    fmt::print(stdout, "{}", dump(to_json(Error(error.code(), error.what(), location))));
+    Json json = to_json(with_short_value(error));
+    if (all.size() > 1)
+      for (const Error& one : all)
+        json["errors"].push_back(to_json(with_short_value(one))["error"]);
+    fmt::print(stdout, "{}", dump(json));
   } else {
-    std::string text = "rebound: ";
-    if (!at.file.empty()) text += at.file;
-    if (at.line > 0) text += fmt::format(":{}", at.line);
-    if (at.line > 0 && at.column > 0) text += fmt::format(":{}", at.column);
-    if (!at.file.empty()) text += ": ";
-    if (!at.key.empty()) text += at.key;
-    if (!at.key.empty() && !at.value.empty()) text += " = ";
-    if (!at.value.empty()) text += shortened(at.value);
-    if (!at.key.empty() || !at.value.empty()) text += ": ";
-    text += error.what();
-    if (!at.allowed.empty()) text += "\n         allowed: " + at.allowed;
-    fmt::print(stderr, "{}\n", text);
+    for (const Error& one : all) fmt::print(stderr, "{}", text_of(one));
+    if (all.size() > 1)
+      fmt::print(stderr, "rebound: {} errors in {}\n", all.size(), error.location().file);
   }
   return static_cast<int>(error.code());
 }

@@ -10,7 +10,8 @@ namespace rebound {
 ///   rebound: impact.toml:7:8: sphere.mass = "-1 g": the value is out of range
 ///            allowed: value > 0 g
 ///
-/// and returns its exit code.
+/// and returns its exit code. Of FileErrors all are printed; in JSON they stand under "errors", the
+/// first of them under "error" too.
 int report_error(const Error& error, bool as_json);
 
 }  // namespace rebound

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/models/installation.hpp"
 #include "comparisons/studies/reproduce/report_sections.hpp"
@@ -35,7 +36,10 @@ ExitCode run_reproduce(const Session& session, const std::string& data) {
     json["provenance"] = to_json(provenance_of(session, folder.string(), paper_text(folder)));
     write_file_atomically(session.out / "reproduce.json", dump(json));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(reproduction));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(reproduction));
   return ExitCode::done;
 }
 

@@ -5,6 +5,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/inference/references/read_references.hpp"
 #include "comparisons/inference/selection/selection_file.hpp"
 #include "comparisons/inference/selection/selection_text.hpp"
@@ -48,7 +49,10 @@ ExitCode run_select(const Session& session, const std::string& path) {
     stored["provenance"] = to_json(provenance_of(session, path, document.text()));
     write_file_atomically(session.out / "selection.json", dump(stored));
   }
-  fmt::print("{}", session.json() ? dump(json) : to_text(selection));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(selection));
   return selection.chosen.empty() ? ExitCode::solver_failed : ExitCode::done;
 }
 

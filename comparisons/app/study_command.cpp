@@ -8,6 +8,7 @@
 #include "comparisons/app/interruption.hpp"
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/results/result_folder.hpp"
@@ -37,18 +38,19 @@ void write_core(const std::filesystem::path& folder, const CoreStudy& core,
   }
 }
 
-void print_table(const std::vector<CoreStudy>& cores) {
-  fmt::print("{:<30} {:>6} {:>8} {:>8} {:>9} {:>8} {:>8} {:>9}\n", "law", "m/s", "e", "e meas",
-             "t_c ms", "t meas", "F_max N", "F-t rms %");
+std::string table_of(const std::vector<CoreStudy>& cores) {
+  std::string text = fmt::format("{:<30} {:>6} {:>8} {:>8} {:>9} {:>8} {:>8} {:>9}\n", "law", "m/s",
+                                 "e", "e meas", "t_c ms", "t meas", "F_max N", "F-t rms %");
   for (const auto& core : cores)
     for (std::size_t s = 0; s < core.shots.size(); ++s) {
       const auto& shot = core.shots[s];
       const auto row = [&](const std::string& law, const ImpactScalars& scalars,
                            const std::string& rms) {
-        fmt::print("{:<30} {:>6g} {:>8.3f} {:>8.3f} {:>9.3f} {:>8.3f} {:>8.0f} {:>9}\n",
-                   core.label + "  " + law, shot.measured.impact.speed, scalars.restitution,
-                   *shot.measured.restitution.value, 1e3 * scalars.contact_time,
-                   1e3 * *shot.measured.contact_time.value, scalars.peak_force, rms);
+        text +=
+            fmt::format("{:<30} {:>6g} {:>8.3f} {:>8.3f} {:>9.3f} {:>8.3f} {:>8.0f} {:>9}\n",
+                        core.label + "  " + law, shot.measured.impact.speed, scalars.restitution,
+                        *shot.measured.restitution.value, 1e3 * scalars.contact_time,
+                        1e3 * *shot.measured.contact_time.value, scalars.peak_force, rms);
       };
       row("FE", shot.fem.scalars, "");
       for (std::size_t l = 0; l < core.laws.size(); ++l) {
@@ -56,10 +58,11 @@ void print_table(const std::vector<CoreStudy>& cores) {
         if (cell.failure.empty())
           row(core.laws[l].label, cell.scalars, fmt::format("{:.1f}", 100 * cell.force_time_rms));
         else
-          fmt::print("{:<30} {:>6g} {}\n", core.label + "  " + core.laws[l].label,
-                     shot.measured.impact.speed, cell.failure);
+          text += fmt::format("{:<30} {:>6g} {}\n", core.label + "  " + core.laws[l].label,
+                              shot.measured.impact.speed, cell.failure);
       }
     }
+  return text;
 }
 
 struct StudyRun {
@@ -141,14 +144,16 @@ ExitCode run_study(const Session& session, const std::string& file) {
   if (session.json()) {
     print_result(session, json);
   } else {
-    print_table(run.cores);
-    fmt::print("\n");
+    std::string text = table_of(run.cores) + "\n";
     for (const auto& core : run.cores)
-      fmt::print("core {} against the paper's model: {}\n", core.label, headline(core.diagnosis));
+      text += fmt::format("core {} against the paper's model: {}\n", core.label,
+                          headline(core.diagnosis));
     for (const auto& experiment : run.experiments)
-      fmt::print("{} ({}): {}\n", experiment.label, experiment.hidden,
-                 headline(experiment.diagnosis));
-    fmt::print("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
+      text += fmt::format("{} ({}): {}\n", experiment.label, experiment.hidden,
+                          headline(experiment.diagnosis));
+    text +=
+        fmt::format("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
+    print_text(text);
   }
   return ExitCode::done;
 }

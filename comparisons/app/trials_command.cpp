@@ -6,6 +6,7 @@
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/trials/trial_report.hpp"
 #include "comparisons/discrepancy/trials/trial_table.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
@@ -105,7 +106,7 @@ ExitCode write_scores(const Session& session, const TrialsOptions& options,
   if (session.json()) {
     fmt::print("{}", dump(json));
   } else {
-    fmt::print("{}", to_text(scores));
+    print_text(to_text(scores));
     if (!out.empty()) fmt::print("\nreport    {}\n", (out / "report.html").string());
   }
   const bool missed =

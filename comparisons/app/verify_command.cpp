@@ -18,6 +18,7 @@
 #include "comparisons/accuracy/verification/verification_text.hpp"
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
+#include "comparisons/app/terminal.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/models/fem_access/element_checks.hpp"
 #include "comparisons/models/fem_access/material_laws.hpp"
@@ -137,8 +138,11 @@ ExitCode run_verify(const Session& session, const std::string& tier) {
   json["not_run"] = suite.not_run;
   json["seeded_faults"] = to_json(faults);
   if (!session.out.empty()) write_all(session, suite, json, tier != "lumped" && has_fem_tier());
-  if (tier == "all" && !session.json()) fmt::print("{}", to_text(faults));
-  fmt::print("{}", session.json() ? dump(json) : to_text(table));
+  if (tier == "all" && !session.json()) print_text(to_text(faults));
+  if (session.json())
+    fmt::print("{}", dump(json));
+  else
+    print_text(to_text(table));
   if (!suite.not_run.empty()) {
     fmt::print(stderr, "rebound: interrupted; {} rows are complete; not run: {}\n", table.size(),
                fmt::join(suite.not_run, ", "));

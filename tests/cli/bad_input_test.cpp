@@ -126,6 +126,32 @@ INSTANTIATE_TEST_SUITE_P(
                               "model.plate.friction", "-0.3", ""}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
+class SeveralErrorsTest : public ProgramTest {};
+
+TEST_F(SeveralErrorsTest, OfOneFileArePrintedTogetherInTheOrderOfItsLines) {
+  folder.write("bad.toml", replaced(lumped("89.6 g", "-1 g"), "speed =", "sped ="));
+  const Outcome outcome = rebound({"lumped", "bad.toml", "--out", "results"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.errors,
+            "rebound: bad.toml:3:1: impact.sped = \"15 m/s\": this key is not known; did you mean "
+            "\"speed\"?\n"
+            "         allowed: speed | separation\n"
+            "rebound: bad.toml:5:8: sphere.mass = \"-1 g\": the value is out of range\n"
+            "         allowed: value > 0 g\n"
+            "rebound: 2 errors in bad.toml\n");
+  EXPECT_FALSE(there("results"));
+}
+
+TEST_F(SeveralErrorsTest, StandInOneJsonObjectTheFirstWhereOneIsExpected) {
+  folder.write("bad.toml", replaced(lumped("89.6 g", "-1 g"), "speed =", "sped ="));
+  const auto json = nlohmann::json::parse(rebound({"lumped", "bad.toml", "--json"}).output);
+  ASSERT_EQ(json["errors"].size(), 2u);
+  EXPECT_EQ(json["errors"][0], json["error"]);
+  EXPECT_EQ(json["errors"][1]["key"], "sphere.mass");
+  EXPECT_EQ(json["errors"][1]["line"], 5);
+}
+
 class NoSuchFileTest : public ProgramTest {};
 
 TEST_F(NoSuchFileTest, IsAReadingFailureThatNamesTheFile) {

@@ -1,4 +1,4 @@
-#include "tests/cli/program.hpp"
+#include "tests/cli/run_example.hpp"
 
 namespace rebound::testing {
 namespace {
@@ -80,6 +80,10 @@ TEST_F(CompressCommandTest, BadFilesAreRefusedWithTheirKey) {
     EXPECT_EQ(error["key"], key) << outcome.output;
     EXPECT_TRUE(error["line"].is_number()) << outcome.output;
   }
+}
+
+TEST_F(CompressCommandTest, ExamplesOfTheFeTierWork) {
+  for (const char* name : {"fem", "compression"}) run_example(folder, name);
 }
 
 TEST_F(CompressCommandTest, AnInterruptedRunKeepsWhatIsKnown) {

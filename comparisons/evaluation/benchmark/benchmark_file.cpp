@@ -11,7 +11,7 @@ void describe(Visitor& visit, BenchmarkRow& row) {
                           "law below is calibrated to the references first.",
               .presence = Presence::optional},
              row.file);
-  if (row.file.empty()) describe_law_request(visit, row.request);
+  if (!visit.refused("file") && row.file.empty()) describe_law_request(visit, row.request);
 }
 
 void describe(Visitor& visit, BenchmarkFile& file) {

@@ -51,8 +51,7 @@ void describe_numbers(Visitor& visit, EffectChoice& choice) {
 void describe(Visitor& visit, EffectChoice& choice) {
   const std::vector<std::string> names = effect_names();
   visit.text({.name = "name", .sentence = "The effect.", .allowed = names}, choice.name);
-  if (choice.name.empty())  // the name decides over the unit of the size
-    return visit.not_available("size", "an effect needs its name beside its size");
+  if (visit.refused("name") || choice.name.empty()) return;  // it decides over the unit of the size
   visit.cases(
       names, choice.name,
       [&](const std::string& name) { choice = {.name = name, .size = 0.0, .parameters = {}}; },

@@ -39,6 +39,7 @@ void describe(Visitor& visit, FemControls& controls) {
 void describe_fem_model(Visitor& visit, FemProblem& problem) {
   std::string tier = "fem";
   visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"fem"}}, tier);
+  if (visit.refused("tier")) return;  // a model of another kind
   visit.choice(
       {.name = "scheme",
        .sentence = "Explicit central differences on bilinear cells, or implicit generalised-alpha "

@@ -1,5 +1,7 @@
 #include "comparisons/io/toml/describe_lumped.hpp"
 
+#include <algorithm>
+
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/describe_impact.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -19,6 +21,23 @@ Key key_of(const ParameterCard& card, const ParameterValues& values) {
           .range = card.range};
 }
 
+/// Does the dimension of one parameter follow from the value of another, as that of a stiffness
+/// from its exponent?
+bool follows(const ParameterCard& card, const std::string& other, const LawCard& law) {
+  ParameterValues values;
+  for (const ParameterCard& one : law.parameters) values[one.name] = one.typical;
+  const Dimension before = card.dimension(values);
+  values[other] += 1.0;
+  return !same_dimension(before, card.dimension(values));
+}
+
+/// Is the unit of a parameter unknown, since what sets it was refused?
+bool hangs_on_refused(Visitor& visit, const LawCard& law, const ParameterCard& card) {
+  return std::any_of(law.parameters.begin(), law.parameters.end(), [&](const ParameterCard& one) {
+    return follows(card, one.name, law) && visit.refused(one.name);
+  });
+}
+
 void visit_parameter(Visitor& visit, const Key& key, std::optional<double> otherwise,
                      ParameterValues& values) {
   const auto found = values.find(key.name);
@@ -30,6 +49,7 @@ void visit_parameter(Visitor& visit, const Key& key, std::optional<double> other
 void describe_parameters(Visitor& visit, LumpedModel& model) {
   const LawCard& law = find_law(model.law);
   for (const ParameterCard& card : law.parameters) {
+    if (hangs_on_refused(visit, law, card)) continue;
     Key key = key_of(card, model.parameters);
     if (card.name == law.damping_parameter) {
       key.presence = Presence::optional;
@@ -56,6 +76,7 @@ void describe_some_parameters(Visitor& visit, std::string& law, const ParameterV
       [&](Visitor& inner) {
         ParameterValues seen = known;
         for (const ParameterCard& card : find_law(law).parameters) {
+          if (hangs_on_refused(inner, find_law(law), card)) continue;
           Key key = key_of(card, seen);
           key.presence = Presence::optional;
           visit_parameter(inner, key, std::nullopt, values);
@@ -88,6 +109,7 @@ void describe_lumped_model(Visitor& visit, LumpedModel& model) {
   std::string tier = "lumped";
   visit.text({.name = "tier", .sentence = "The tier this file is for.", .allowed = {"lumped"}},
              tier);
+  if (visit.refused("tier")) return;  // a model of another kind
   visit.text({.name = "law", .sentence = "The contact law.", .allowed = law_names()}, model.law);
   visit.number<&LumpedModel::restitution>(
       model, {.sentence = "Restitution at the impact speed that sets the damping.",

@@ -50,6 +50,7 @@ class Document {
     try {
       work();
     } catch (const Error& error) {
+      if (!error.location().file.empty()) throw;  // as it is: it may hold more than one
       throw located(error);
     }
   }

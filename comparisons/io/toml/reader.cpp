@@ -6,14 +6,21 @@
 #include <cmath>
 #include <utility>
 
+#include "comparisons/io/toml/file_errors.hpp"
 #include "comparisons/io/toml/key_text.hpp"
 #include "comparisons/io/toml/nearest_key.hpp"
 #include "comparisons/io/toml/units.hpp"
 
 namespace rebound {
 
-Reader::Reader(const Document& document, const toml::table& table, std::string path)
-    : document_(document), table_(table), path_(std::move(path)) {}
+Reader::Reader(const Document& document) : document_(document), table_(document.root()) {}
+
+Reader::Reader(Reader& outer, const toml::table& table, std::string path)
+    : document_(outer.document_),
+      table_(table),
+      path_(std::move(path)),
+      outer_(&outer),
+      errors_(outer.errors_) {}
 
 std::string Reader::path_of(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
@@ -23,15 +30,31 @@ Error Reader::refusal(const Key& key, const toml::node& node, const std::string&
   return document_.error_at(node.source(), path_of(key.name), message, allowed_text(key));
 }
 
+void Reader::refuse(const Key& key, const Error& error) {
+  refused_.push_back({key.name, key.allowed});
+  errors_->push_back(error);
+}
+
+/// Reads a value; where it cannot be had, says so and goes on without it.
+template <class Read>
+void Reader::attempt(const Key& key, const Read& read) {
+  try {
+    read();
+  } catch (const Error& error) {
+    refuse(key, error);
+  }
+}
+
 const toml::node* Reader::find(const Key& key) {
   known_.push_back(key.name);
   const toml::node* node = table_.get(key.name);
-  if (!node && key.presence == Presence::required && !first_missing_) {
+  if (!node && key.presence == Presence::required) {
     Error missing = document_.error_at(table_.source(), path_of(key.name), "this key is missing",
                                        allowed_text(key));
     ErrorLocation location = missing.location();
     location.value.clear();  // the table's header is not a value
-    first_missing_.emplace(missing.code(), missing.what(), location);
+    missing_.emplace_back(key.name, Error(missing.code(), missing.what(), location));
+    refused_.push_back({key.name, key.allowed});
   }
   return node;
 }
@@ -76,33 +99,34 @@ std::string Reader::read_text(const Key& key, const toml::node& node) const {
 }
 
 void Reader::visit_number(const Key& key, std::optional<double>& value) {
-  if (const toml::node* node = find(key)) value = read_number(key, *node);
+  if (const toml::node* node = find(key)) attempt(key, [&] { value = read_number(key, *node); });
 }
 
 void Reader::visit_whole(const Key& key, std::optional<std::int64_t>& value) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_integer()) throw refusal(key, *node, "a whole number is needed here");
-  value = node->value<std::int64_t>();
-  if (!key.range.contains(static_cast<double>(*value)))
-    throw refusal(key, *node, out_of_range_text(key.reason));
+  if (!node->is_integer()) return refuse(key, refusal(key, *node, "a whole number is needed here"));
+  const std::int64_t whole = node->value<std::int64_t>().value_or(0);
+  if (!key.range.contains(static_cast<double>(whole)))
+    return refuse(key, refusal(key, *node, out_of_range_text(key.reason)));
+  value = whole;
 }
 
 void Reader::visit_flag(const Key& key, std::optional<bool>& value) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_boolean()) throw refusal(key, *node, "true or false is needed here");
+  if (!node->is_boolean()) return refuse(key, refusal(key, *node, "true or false is needed here"));
   value = node->value<bool>();
 }
 
 void Reader::visit_text(const Key& key, std::optional<std::string>& value) {
-  if (const toml::node* node = find(key)) value = read_text(key, *node);
+  if (const toml::node* node = find(key)) attempt(key, [&] { value = read_text(key, *node); });
 }
 
 const toml::array* Reader::find_array(const Key& key) {
   const toml::node* node = find(key);
   if (!node) return nullptr;
-  if (!node->is_array()) throw refusal(key, *node, "a list in brackets is needed here");
+  if (!node->is_array()) refuse(key, refusal(key, *node, "a list in brackets is needed here"));
   return node->as_array();
 }
 
@@ -110,24 +134,27 @@ void Reader::visit_numbers(const Key& key, std::vector<double>& values) {
   const toml::array* array = find_array(key);
   if (!array) return;
   values.clear();
-  for (const toml::node& node : *array) values.push_back(read_number(key, node));
+  for (const toml::node& node : *array)
+    attempt(key, [&] { values.push_back(read_number(key, node)); });
 }
 
 void Reader::visit_texts(const Key& key, std::vector<std::string>& values) {
   const toml::array* array = find_array(key);
   if (!array) return;
   values.clear();
-  for (const toml::node& node : *array) values.push_back(read_text(key, node));
+  for (const toml::node& node : *array)
+    attempt(key, [&] { values.push_back(read_text(key, node)); });
 }
 
 void Reader::visit_table(const Key& key, const std::function<void(Visitor&)>& body) {
   const toml::node* node = find(key);
   if (!node) return;
   if (!node->is_table())
-    throw refusal(key, *node, fmt::format("a table [{}] is needed here", path_of(key.name)));
-  Reader inner(document_, *node->as_table(), path_of(key.name));
+    return refuse(
+        key, refusal(key, *node, fmt::format("a table [{}] is needed here", path_of(key.name))));
+  Reader inner(*this, *node->as_table(), path_of(key.name));
   body(inner);
-  inner.finish();
+  inner.judge_keys();
 }
 
 void Reader::visit_list(const Key& key, const List& list) {
@@ -136,46 +163,82 @@ void Reader::visit_list(const Key& key, const List& list) {
   const toml::array* array = node->as_array();
   const auto is_table = [](const toml::node& element) { return element.is_table(); };
   if (!array || !std::all_of(array->begin(), array->end(), is_table))
-    throw refusal(key, *node, fmt::format("tables [[{}]] are needed here", path_of(key.name)));
+    return refuse(
+        key, refusal(key, *node, fmt::format("tables [[{}]] are needed here", path_of(key.name))));
   list.resize(array->size());
   for (std::size_t i = 0; i < array->size(); ++i) {
-    Reader inner(document_, *array->get_as<toml::table>(i),
+    Reader inner(*this, *array->get_as<toml::table>(i),
                  fmt::format("{}[{}]", path_of(key.name), i));
     list.visit(inner, i);
-    inner.finish();
+    inner.judge_keys();
   }
 }
 
-void Reader::cases(const std::vector<std::string>&, std::string,
+/// Was one of these names to be chosen, here or in a table around, and was not?
+bool Reader::undecided_among(const std::vector<std::string>& names) const {
+  for (const Reader* reader = this; reader; reader = reader->outer_)
+    for (const Refused& one : reader->refused_)
+      if (one.allowed == names) return true;
+  return false;
+}
+
+void Reader::cases(const std::vector<std::string>& names, std::string,
                    const std::function<void(const std::string&)>&,
                    const std::function<void(Visitor&)>& body) {
-  body(*this);
+  if (undecided_among(names))
+    undecided_ = true;
+  else
+    body(*this);
 }
 
 void Reader::not_available(const std::string& name, const std::string& reason) {
   if (const toml::node* node = table_.get(name))
-    throw document_.error_at(node->source(), path_of(name), reason);
+    refuse({.name = name}, document_.error_at(node->source(), path_of(name), reason));
 }
 
-void Reader::finish() const {
-  const toml::key* unknown = nullptr;
-  for (const auto& [name, node] : table_) {
-    const bool known = std::find(known_.begin(), known_.end(), name.str()) != known_.end();
-    if (!known && (!unknown || name.source().begin < unknown->source().begin)) unknown = &name;
+bool Reader::refused(const std::string& name) {
+  const bool found = std::any_of(refused_.begin(), refused_.end(),
+                                 [&](const Refused& one) { return one.key == name; });
+  if (found) undecided_ = true;
+  return found;
+}
+
+Error Reader::unknown(const toml::key& key, const std::string& near) const {
+  const std::string name(key.str());
+  ErrorLocation location =
+      document_.error_at(key.source(), path_of(name), "", joined(known_)).location();
+  if (const toml::node* node = table_.get(name))
+    location.value = document_.error_at(node->source(), "", "").location().value;
+  return {ExitCode::bad_input,
+          near.empty() ? "this key is not known"
+                       : fmt::format("this key is not known; did you mean \"{}\"?", near),
+          location};
+}
+
+/// Unknown and missing keys. Where it is not known which keys the table has, only those that are
+/// a missing one misspelt.
+void Reader::judge_keys() {
+  std::vector<std::string> missing, misspelt;
+  for (const auto& [name, error] : missing_) missing.push_back(name);
+  for (const auto& [key, node] : table_) {
+    const std::string name(key.str());
+    const auto is_refused = [&](const Refused& one) { return one.key == name; };
+    if (std::find(known_.begin(), known_.end(), name) != known_.end() ||
+        std::any_of(refused_.begin(), refused_.end(), is_refused))
+      continue;
+    const std::string near = nearest_key(name, undecided_ ? missing : known_);
+    if (undecided_ && near.empty()) continue;
+    errors_->push_back(unknown(key, near));
+    misspelt.push_back(near);
   }
-  if (unknown) {
-    const std::string name(unknown->str());
-    const std::string near = nearest_key(name, known_);
-    Error at = document_.error_at(unknown->source(), path_of(name), "", joined(known_));
-    ErrorLocation location = at.location();
-    if (const toml::node* node = table_.get(name))
-      location.value = document_.error_at(node->source(), "", "").location().value;
-    throw Error(ExitCode::bad_input,
-                near.empty() ? "this key is not known"
-                             : fmt::format("this key is not known; did you mean \"{}\"?", near),
-                location);
-  }
-  if (first_missing_) throw Error(*first_missing_);
+  for (const auto& [name, error] : missing_)
+    if (std::find(misspelt.begin(), misspelt.end(), name) == misspelt.end())
+      errors_->push_back(error);
+}
+
+void Reader::finish() {
+  judge_keys();
+  throw_if_any(std::move(own_));
 }
 
 }  // namespace rebound

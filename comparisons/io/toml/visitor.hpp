@@ -70,6 +70,11 @@ class Visitor {
   /// A key that a later version will know: refused with the reason.
   virtual void not_available(const std::string& name, const std::string& reason) = 0;
 
+  /// Has a reader refused, or not found, the value of this key of the table? Then what follows
+  /// from it (units, further keys) is not to be visited, and a reader that was asked does not
+  /// call the table's other keys unknown or missing.
+  virtual bool refused(const std::string& /*name*/) { return false; }
+
   // The members of a record are declared through the following.
 
   template <class Number>

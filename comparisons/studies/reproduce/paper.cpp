@@ -86,7 +86,7 @@ void describe(Visitor& visit, ClaimFile& file) {
 void read_claims(const std::filesystem::path& file, Paper& paper) {
   const Document document = Document::load(file);
   ClaimFile texts;
-  Reader reader(document, document.root());
+  Reader reader(document);
   describe(reader, texts);
   reader.finish();
   paper.standard_mass = printed_number(document, "standard_mass");

@@ -112,7 +112,7 @@ void describe(Visitor& visit, StudyFile& study) {
 
 StudyFile read_study(const Document& document) {
   StudyFile study;
-  Reader reader(document, document.root());
+  Reader reader(document);
   describe(static_cast<Visitor&>(reader), study);
   reader.finish();
   if (study.cores.empty()) throw document.error_at("core", "the study names no core");

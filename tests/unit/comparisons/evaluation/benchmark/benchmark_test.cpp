@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "comparisons/evaluation/benchmark/benchmark_file.hpp"
+#include "comparisons/io/toml/file_errors.hpp"
+#include "comparisons/io/toml/reader.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/laws.hpp"
 #include "lumped/problem/error.hpp"
@@ -105,6 +108,20 @@ TEST(BenchmarkTest, RefusesEmptyInput) {
   auto no_deflection = reference;
   no_deflection.trace.deflection.clear();
   EXPECT_THROW(benchmark({typical_entry("hunt-crossley")}, {no_deflection}), Error);
+}
+
+// Whether a row has a law of its own hangs on its file: where that was refused, no key is judged.
+TEST(BenchmarkTest, ARefusedFileNameIsTheOnlyErrorOfItsRow) {
+  BenchmarkFile file;
+  const Document document = Document::parse(
+      "schema = 1\n[[law]]\nlabel = \"a\"\nfile = 3\n[[reference]]\nfolder = \"r\"\n", "f.toml");
+  try {
+    read_document(document, file);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(dynamic_cast<const FileErrors*>(&error), nullptr);
+    EXPECT_EQ(error.location().key, "law[0].file");
+  }
 }
 
 }  // namespace

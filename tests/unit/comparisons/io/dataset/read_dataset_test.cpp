@@ -155,7 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "[instrument]\ndeflection_noise = \"0 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
                 "restitution = 0.5\n",
                 ExitCode::bad_input, "instrument.deflection_noise"},
-        Refused{"Duration", "[[quasistatic]]\nstiffness = \"1 N/m^1.5\"\nduration = \"0 s\"\n",
+        Refused{"Duration",
+                "[[quasistatic]]\nplatens = 2\nstiffness = \"1 N/m^1.5\"\nduration = \"0 s\"\n",
                 ExitCode::bad_input, "quasistatic[0].duration"},
         Refused{"Typo", "[[shots]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input, "shots"}),
     [](const auto& instance) { return std::string(instance.param.name); });

@@ -63,7 +63,7 @@ TEST(EffectFileTest, RefusesWithLineAndKey) {
       {"[[model.effect]]\nname = \"permanent-sett\"\nsize = 0.1\n", "model.effect[0].name",
        "did you mean \"permanent-set\"", 13},
       {"[[model.effect]]\nname = \"permanent-set\"\n", "model.effect[0].size", "missing", 12},
-      {"[[model.effect]]\nsize = 0.1\n", "model.effect[0].size", "name", 13},
+      {"[[model.effect]]\nsize = 0.1\n", "model.effect[0].name", "missing force-exponent |", 12},
       {"[[model.effect]]\nname = \"permanent-set\"\nsize = 0.95\n", "model.effect[0].size",
        "0 <= value <= 0.9", 14},
       {"[[model.effect]]\nname = \"adhesion\"\nsize = 20\n", "model.effect[0].size", "J/m^2", 14},
