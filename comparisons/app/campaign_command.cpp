@@ -8,6 +8,7 @@
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/studies/campaign/campaign_query.hpp"
+#include "comparisons/studies/campaign/diagnosis_base.hpp"
 #include "comparisons/studies/campaign/run_campaign.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
@@ -20,7 +21,9 @@ struct CampaignOptions {
 };
 
 std::string campaign_help() {
-  return "campaign FILE runs one impact a member and keeps its scalars in --out DIR (default\n"
+  return "campaign FILE varies an impact, a synthesis, a calibration or a diagnosis, and keeps of\n"
+         "each member its scalars, those of its shots, the fitted parameters and their cost, or\n"
+         "the verdict with name, family and size, in --out DIR (default\n"
          "results/campaigns/NAME of FILE): SQLite files, one a shard. A member that is there is\n"
          "not run again, so the same command goes on after a kill, and costs nothing when done.\n"
          "Several shards, of a job array or of mpirun -n N, share DIR; each writes its own file.\n"
@@ -31,7 +34,8 @@ std::string campaign_help() {
          "  mpirun -n 8 rebound campaign speeds.toml --threads 1\n"
          "  rebound campaign query speeds.toml --csv speeds.csv\n\n"
          "Keys of FILE (TOML):\n" +
-         help_text<CampaignFile>() + "\n" + exit_code_help();
+         help_text<CampaignFile>() + "\nKeys of a diagnosis that is varied (TOML):\n" +
+         help_text<DiagnosisFile>() + "\n" + exit_code_help();
 }
 
 std::filesystem::path store_of(const Session& session, const std::filesystem::path& file) {

@@ -14,15 +14,67 @@ namespace {
 
 constexpr std::size_t members_at_once = 4096;
 
-std::string row(std::size_t number, const std::vector<double>& values, const MemberResult& result) {
-  std::string text = fmt::format("{}", number);
-  for (const double value : values) text += fmt::format(",{:.17g}", value);
-  const bool failed = !result.failure.empty();
-  for (const double value : result.scalars)
-    text += failed || std::isnan(value) ? "," : fmt::format(",{:.17g}", value);
-  std::string failure = result.failure;
-  std::replace(failure.begin(), failure.end(), '"', '\'');
-  return text + (failed ? fmt::format(",\"{}\"\n", failure) : ",\n");
+std::string number_cell(double value) {
+  return std::isnan(value) ? "," : fmt::format(",{:.17g}", value);
+}
+
+std::string text_cell(std::string text) {
+  if (text.empty()) return ",";
+  std::replace(text.begin(), text.end(), '"', '\'');
+  return ",\"" + text + "\"";
+}
+
+/// Named values of all members of a table, each in the column of its name.
+class NamedColumns {
+ public:
+  void add(const std::vector<NamedValue>& values) {
+    for (const NamedValue& value : values)
+      if (places_.try_emplace(value.name, names_.size()).second) names_.push_back(value.name);
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+  std::string cells(const std::vector<NamedValue>& values) const {
+    std::vector<std::string> cells(names_.size(), ",");
+    for (const auto& [name, value] : values) {
+      const double* number = std::get_if<double>(&value);
+      cells[places_.at(name)] =
+          number ? number_cell(*number) : text_cell(std::get<std::string>(value));
+    }
+    std::string all;
+    for (const std::string& cell : cells) all += cell;
+    return all;
+  }
+
+ private:
+  std::map<std::string, std::size_t> places_;
+  std::vector<std::string> names_;
+};
+
+/// A member that was found.
+struct FoundMember {
+  std::size_t number;
+  std::vector<double> factors;
+  MemberResult result;
+};
+
+std::string csv_of(const Campaign& campaign, const std::vector<FoundMember>& found) {
+  NamedColumns columns;
+  for (const FoundMember& member : found) columns.add(member.result.values);
+  std::string csv = "member";
+  for (const CampaignFactor& factor : campaign.design().factors) csv += "," + factor.key;
+  if (campaign.of_impacts())
+    for (const char* name : member_scalars) csv += std::string(",") + name;
+  for (const std::string& name : columns.names()) csv += "," + name;
+  csv += ",failure\n";
+  for (const auto& [number, factors, result] : found) {
+    const bool failed = !result.failure.empty();
+    csv += fmt::format("{}", number);
+    for (const double value : factors) csv += fmt::format(",{:.17g}", value);
+    if (campaign.of_impacts())
+      for (const double value : result.scalars) csv += failed ? "," : number_cell(value);
+    csv += columns.cells(result.values) + text_cell(result.failure) + "\n";
+  }
+  return csv;
 }
 
 }  // namespace
@@ -33,10 +85,7 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
     stores.emplace_back(file, ResultStore::Access::read, campaign.program());
   CampaignTable table;
   table.members = campaign.size();
-  table.csv = "member";
-  for (const CampaignFactor& factor : campaign.design().factors) table.csv += "," + factor.key;
-  for (const char* name : member_scalars) table.csv += std::string(",") + name;
-  table.csv += ",failure\n";
+  std::vector<FoundMember> found;
   DesignSampler sampler(campaign.design());
   for (std::size_t first = 0; first < table.members; first += members_at_once) {
     std::vector<std::size_t> numbers;
@@ -50,9 +99,10 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
       if (!result) continue;
       ++table.found;
       if (!result->failure.empty()) ++table.failed;
-      table.csv += row(numbers[i], members[i]->values, *result);
+      found.push_back({numbers[i], members[i]->values, std::move(*result)});
     }
   }
+  table.csv = csv_of(campaign, found);
   return table;
 }
 
