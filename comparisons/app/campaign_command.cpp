@@ -17,7 +17,7 @@ namespace {
 
 struct CampaignOptions {
   std::vector<std::string> what;
-  std::string shard, csv;
+  std::string shard, csv, hdf5;
 };
 
 std::string campaign_help() {
@@ -27,7 +27,8 @@ std::string campaign_help() {
          "results/campaigns/NAME of FILE): SQLite files, one a shard. A member that is there is\n"
          "not run again, so the same command goes on after a kill, and costs nothing when done.\n"
          "Several shards, of a job array or of mpirun -n N, share DIR; each writes its own file.\n"
-         "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI.\n"
+         "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI;\n"
+         "--hdf5 TABLE.h5 writes it as data sets, one a column.\n"
          "A member that cannot be run (the contact does not end, the combination is refused) is\n"
          "kept with the reason. Results of another program than this one are refused, exit 5.\n\n"
          "  rebound campaign speeds.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
@@ -47,21 +48,24 @@ ExitCode run_query(const Session& session, const CampaignOptions& options) {
   const std::filesystem::path source = options.what[1];
   const bool is_file = source.extension() == ".toml";
   const auto store = is_file ? store_of(session, source) : source;
-  const CampaignTable table =
-      query_campaign(is_file ? Campaign::load(source) : stored_campaign(store), store);
-  if (!options.csv.empty()) write_file_atomically(options.csv, table.csv);
+  const Campaign campaign = is_file ? Campaign::load(source) : stored_campaign(store);
+  const CampaignTable table = query_campaign(campaign, store);
+  if (!options.csv.empty()) write_file_atomically(options.csv, csv_of(table));
+  if (!options.hdf5.empty()) write_hdf5(table, campaign, options.hdf5);
   if (session.json())
     fmt::print("{}", dump({{"schema", 1},
                            {"members", table.members},
                            {"found", table.found},
                            {"failed", table.failed},
                            {"complete", table.found == table.members},
-                           {"csv", options.csv}}));
-  else if (options.csv.empty())
-    fmt::print("{}", table.csv);
+                           {"csv", options.csv},
+                           {"hdf5", options.hdf5}}));
+  else if (options.csv.empty() && options.hdf5.empty())
+    fmt::print("{}", csv_of(table));
   else
-    fmt::print("{} of {} members, {} without a result, in {}\n", table.found, table.members,
-               table.failed, options.csv);
+    fmt::print(
+        "{} of {} members, {} without a result, in {}\n", table.found, table.members, table.failed,
+        options.csv + (options.csv.empty() || options.hdf5.empty() ? "" : " and ") + options.hdf5);
   return ExitCode::done;
 }
 
@@ -101,6 +105,10 @@ ExitCode run_campaign_command(const Session& session, const CampaignOptions& opt
     throw Error(
         ExitCode::bad_input, "a table belongs to a query",
         {.key = "--csv", .value = options.csv, .allowed = "campaign query FILE|STORE --csv"});
+  if (!query && !options.hdf5.empty())
+    throw Error(
+        ExitCode::bad_input, "a table belongs to a query",
+        {.key = "--hdf5", .value = options.hdf5, .allowed = "campaign query FILE|STORE --hdf5"});
   return query ? run_query(session, options) : run_all(session, options);
 }
 
@@ -114,6 +122,8 @@ Action declare_campaign(CLI::App& command) {
   command.add_option("--shard", options->shard,
                      "Run one part of the members, i/N; default: the rank of mpirun, else all");
   command.add_option("--csv", options->csv, "Of a query: where the table goes");
+  command.add_option("--hdf5", options->hdf5,
+                     "Of a query: an HDF5 file with one data set a column");
   command.footer(campaign_help);
   return [options](const Session& session) { return run_campaign_command(session, *options); };
 }

@@ -1,6 +1,10 @@
-// MATLAB and HDF5 files from `init dataset` to `inspect` and a fit, as a user meets them.
+// MATLAB and HDF5 files from `init dataset` to `inspect`, and tables of campaigns, as a user meets
+// them.
+#include <hdf5.h>
+
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 #include "tests/support/write_arrays.hpp"
@@ -85,6 +89,68 @@ TEST_F(ArrayFiles, GuessesAreMarkedAndWhatIsBadIsNamed) {
   EXPECT_EQ(words.exit_code, 2);
   EXPECT_NE(words.errors.find("words.h5"), std::string::npos) << words.errors;
   EXPECT_FALSE(there("words"));
+}
+
+/// Numbers of a data set and, of fixed-length texts, the texts.
+std::vector<double> numbers_in(const std::filesystem::path& file, const char* name) {
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t data = H5Dopen2(opened, name, H5P_DEFAULT);
+  const hid_t space = H5Dget_space(data);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  EXPECT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  H5Sclose(space);
+  H5Dclose(data);
+  H5Fclose(opened);
+  return values;
+}
+std::string text_in(const std::filesystem::path& file, const char* name) {
+  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t data = H5Dopen2(opened, name, H5P_DEFAULT);
+  const hid_t type = H5Dget_type(data);
+  const hid_t space = H5Dget_space(data);
+  std::string text(
+      H5Tget_size(type) * static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), ' ');
+  EXPECT_GE(H5Dread(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), 0);
+  H5Sclose(space);
+  H5Tclose(type);
+  H5Dclose(data);
+  H5Fclose(opened);
+  return text;
+}
+
+TEST_F(ArrayFiles, ACampaignIsQueriedToHdf5AsToCsv) {
+  folder.write("ball.toml", lumped_file);
+  const std::string campaign =
+      "schema = 1\nbase = \"ball.toml\"\n[design]\nkind = \"grid\"\n[[design.factor]]\n"
+      "key = \"sphere.diameter\"\nvalues = [\"66.2 mm\", \"70 mm\", \"400 mm\"]\n";
+  folder.write("sizes.toml", campaign);
+  ASSERT_EQ(rebound({"campaign", "sizes.toml", "--out", "store"}).exit_code, 0);
+  const Outcome query = rebound({"campaign", "query", "sizes.toml", "--out", "store", "--csv",
+                                 "t.csv", "--hdf5", "t.h5", "--json"});
+  ASSERT_EQ(query.exit_code, 0) << query.errors << query.output;
+  EXPECT_FALSE(there("t.h5.part"));
+  const auto file = folder.path() / "t.h5";
+  const auto diameters = numbers_in(file, "sphere.diameter");
+  const auto restitutions = numbers_in(file, "restitution");
+  ASSERT_EQ(restitutions.size(), 3u);
+  EXPECT_TRUE(std::isnan(restitutions[2]));
+  EXPECT_NE(text_in(file, "failure").find("implies a density"), std::string::npos);
+  EXPECT_EQ(text_in(file, "about/campaign"), campaign + '\0');
+  std::istringstream csv(read_whole(folder.path() / "t.csv"));
+  std::string line;
+  std::getline(csv, line);
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::getline(csv, line);
+    std::string member, diameter, restitution;
+    std::istringstream cells(line);
+    for (std::string* cell : {&member, &diameter, &restitution}) std::getline(cells, *cell, ',');
+    EXPECT_EQ(std::stod(diameter), diameters[i]);
+    EXPECT_EQ(std::stod(restitution), restitutions[i]);
+  }
+  EXPECT_EQ(rebound({"campaign", "query", "sizes.toml", "--out", "store", "--hdf5", "none/t.h5"})
+                .exit_code,
+            4);
+  EXPECT_EQ(rebound({"campaign", "sizes.toml", "--hdf5", "t.h5"}).exit_code, 2);
 }
 
 }  // namespace

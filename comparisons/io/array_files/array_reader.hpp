@@ -20,4 +20,8 @@ std::vector<ArrayVariable> hdf5_variables(const std::string& file);
 std::vector<double> matlab_values(const std::string& file, const std::string& name);
 std::vector<double> hdf5_values(const std::string& file, const std::string& name);
 
+/// Errors: Error(input_output_failed).
+void write_hdf5_columns(const std::string& file, const std::vector<ArrayColumn>& columns,
+                        const std::vector<ArrayNote>& notes);
+
 }  // namespace rebound

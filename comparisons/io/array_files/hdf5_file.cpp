@@ -5,27 +5,11 @@
 #include <utility>
 
 #include "comparisons/io/array_files/array_reader.hpp"
+#include "comparisons/io/array_files/hdf5_handle.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
-
-/// What HDF5 has opened, closed when this is gone.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  bool is_open() const { return id_ >= 0; }
-  hid_t id() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
 
 hid_t open(const std::string& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -48,7 +32,7 @@ std::string kind_of(hid_t type) {
 }
 
 std::vector<std::size_t> shape_of(hid_t data) {
-  const Handle space(H5Dget_space(data), H5Sclose);
+  const Hdf5Handle space(H5Dget_space(data), H5Sclose);
   const int rank = space.is_open() ? H5Sget_simple_extent_ndims(space.id()) : -1;
   if (rank <= 0) return {};
   std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
@@ -59,15 +43,15 @@ std::vector<std::size_t> shape_of(hid_t data) {
 /// The text of an attribute; empty where there is none.
 std::string text_of(hid_t data, const char* name) {
   if (H5Aexists(data, name) <= 0) return {};
-  const Handle attribute(H5Aopen(data, name, H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  const Hdf5Handle attribute(H5Aopen(data, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
   if (!type.is_open() || H5Tget_class(type.id()) != H5T_STRING ||
       H5Sget_simple_extent_npoints(space.id()) != 1)
     return {};
   if (H5Tis_variable_str(type.id()) > 0) {
     char* text = nullptr;
-    const Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Hdf5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(memory.id(), H5T_VARIABLE);
     H5Tset_cset(memory.id(), H5Tget_cset(type.id()));
     if (H5Aread(attribute.id(), memory.id(), static_cast<void*>(&text)) < 0 || !text) return {};
@@ -88,9 +72,9 @@ herr_t look_at(hid_t file, const char* name, const H5O_info_t* about, void* list
   auto& all = *static_cast<std::vector<ArrayVariable>*>(list);
   if (about->type != H5O_TYPE_DATASET) return 0;
   if (all.size() > most_variables) return 1;  // enough to be refused
-  const Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   if (!data.is_open()) return 0;
-  const Handle type(H5Dget_type(data.id()), H5Tclose);
+  const Hdf5Handle type(H5Dget_type(data.id()), H5Tclose);
   ArrayVariable one{.name = name,
                     .shape = shape_of(data.id()),
                     .kind = kind_of(type.id()),
@@ -103,7 +87,7 @@ herr_t look_at(hid_t file, const char* name, const H5O_info_t* about, void* list
 }  // namespace
 
 std::vector<ArrayVariable> hdf5_variables(const std::string& file) {
-  const Handle opened(open(file), H5Fclose);
+  const Hdf5Handle opened(open(file), H5Fclose);
   std::vector<ArrayVariable> all;
   if (H5Ovisit2(opened.id(), H5_INDEX_NAME, H5_ITER_INC, look_at, &all, H5O_INFO_BASIC) < 0)
     throw Error(ExitCode::bad_input, "the contents cannot be listed: is the file damaged?",
@@ -114,8 +98,8 @@ std::vector<ArrayVariable> hdf5_variables(const std::string& file) {
 }
 
 std::vector<double> hdf5_values(const std::string& file, const std::string& name) {
-  const Handle opened(open(file), H5Fclose);
-  const Handle data(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle opened(open(file), H5Fclose);
+  const Hdf5Handle data(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
   const auto refuse = [&](const char* reason) {
     throw Error(ExitCode::bad_input, reason, {.file = file, .key = name});
   };
@@ -126,7 +110,7 @@ std::vector<double> hdf5_values(const std::string& file, const std::string& name
       refuse("the data set has more than 10000000 numbers");
     count *= length;
   }
-  const Handle type(H5Dget_type(data.id()), H5Tclose);
+  const Hdf5Handle type(H5Dget_type(data.id()), H5Tclose);
   if (kind_of(type.id()) != "numbers") refuse("the data set holds no numbers");
   std::vector<double> values(count);
   if (H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)

@@ -103,6 +103,17 @@ class LoadedArrayFiles final : public ArrayFilesModule {
     std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
     return values;
   }
+
+  void write_hdf5(const std::string& file, const std::vector<ArrayColumn>& columns,
+                  const std::vector<ArrayNote>& notes) const override {
+    Isolation limits{.files = Isolation::Files::writes, .program = "the writer of the file"};
+    isolated(
+        [&] {
+          write_hdf5_columns(file, columns, notes);
+          return std::string("written");
+        },
+        limits, {});
+  }
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <set>
 
-#include "comparisons/io/array_files/interface.hpp"
 #include "comparisons/io/laboratory/table_headings.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "comparisons/models/installation.hpp"
@@ -189,6 +188,22 @@ TablePreview preview_array_file(const std::filesystem::path& file) {
     preview.columns_at.push_back(0);
   }
   return preview;
+}
+
+void write_array_table(const std::filesystem::path& file, const std::vector<ArrayColumn>& columns,
+                       const std::vector<ArrayNote>& notes) {
+  const std::filesystem::path part = file.string() + ".part";
+  std::error_code status;
+  try {
+    array_files(file).write_hdf5(part.string(), columns, notes);
+  } catch (const Error& error) {
+    std::filesystem::remove(part, status);
+    throw Error(error.code(), error.what(), {.file = file.string()});
+  }
+  std::filesystem::rename(part, file, status);
+  if (status)
+    throw Error(ExitCode::input_output_failed, "cannot be written: " + status.message(),
+                {.file = file.string()});
 }
 
 }  // namespace rebound

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "comparisons/io/array_files/interface.hpp"
 #include "comparisons/io/laboratory/laboratory_table.hpp"
 
 namespace rebound {
@@ -26,5 +27,10 @@ LaboratoryTable read_array_table(const std::filesystem::path& file,
 
 /// All variables as headings; numbers are those vectors that are as long as the longest one.
 TablePreview preview_array_file(const std::filesystem::path& file);
+
+/// Writes columns to an HDF5 file, under another name first, so that it is there whole or not at
+/// all. Errors: Error(input_output_failed), Error(bad_input) for a program built without HDF5.
+void write_array_table(const std::filesystem::path& file, const std::vector<ArrayColumn>& columns,
+                       const std::vector<ArrayNote>& notes);
 
 }  // namespace rebound

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "comparisons/io/laboratory/array_table.hpp"
 #include "comparisons/studies/campaign/result_store.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -14,67 +16,66 @@ namespace {
 
 constexpr std::size_t members_at_once = 4096;
 
-std::string number_cell(double value) {
-  return std::isnan(value) ? "," : fmt::format(",{:.17g}", value);
-}
-
-std::string text_cell(std::string text) {
-  if (text.empty()) return ",";
-  std::replace(text.begin(), text.end(), '"', '\'');
-  return ",\"" + text + "\"";
-}
-
-/// Named values of all members of a table, each in the column of its name.
-class NamedColumns {
+/// Columns that fill row by row; a value that a row does not have is NaN or empty.
+class Columns {
  public:
-  void add(const std::vector<NamedValue>& values) {
-    for (const NamedValue& value : values)
-      if (places_.try_emplace(value.name, names_.size()).second) names_.push_back(value.name);
+  /// A column that is there without rows, too.
+  void declare(const std::string& name) { column(name); }
+  void add_row() { ++rows_; }
+  void add(const std::string& name, double number) { column(name).numbers.back() = number; }
+  void add(const std::string& name, const std::string& text) {
+    ArrayColumn& one = column(name);
+    one.texts.resize(rows_);
+    one.texts.back() = text;
   }
-  const std::vector<std::string>& names() const { return names_; }
-
-  std::string cells(const std::vector<NamedValue>& values) const {
-    std::vector<std::string> cells(names_.size(), ",");
-    for (const auto& [name, value] : values) {
-      const double* number = std::get_if<double>(&value);
-      cells[places_.at(name)] =
-          number ? number_cell(*number) : text_cell(std::get<std::string>(value));
+  /// All of them, as long as there are rows; those of texts without numbers.
+  std::vector<ArrayColumn> take() {
+    for (ArrayColumn& one : columns_) {
+      if (one.texts.empty()) {
+        one.numbers.resize(rows_, none);
+        continue;
+      }
+      one.texts.resize(rows_);
+      one.numbers.clear();
     }
-    std::string all;
-    for (const std::string& cell : cells) all += cell;
-    return all;
+    return std::move(columns_);
   }
 
  private:
-  std::map<std::string, std::size_t> places_;
-  std::vector<std::string> names_;
-};
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A member that was found.
-struct FoundMember {
-  std::size_t number;
-  std::vector<double> factors;
-  MemberResult result;
-};
-
-std::string csv_of(const Campaign& campaign, const std::vector<FoundMember>& found) {
-  NamedColumns columns;
-  for (const FoundMember& member : found) columns.add(member.result.values);
-  std::string csv = "member";
-  for (const CampaignFactor& factor : campaign.design().factors) csv += "," + factor.key;
-  if (campaign.of_impacts())
-    for (const char* name : member_scalars) csv += std::string(",") + name;
-  for (const std::string& name : columns.names()) csv += "," + name;
-  csv += ",failure\n";
-  for (const auto& [number, factors, result] : found) {
-    const bool failed = !result.failure.empty();
-    csv += fmt::format("{}", number);
-    for (const double value : factors) csv += fmt::format(",{:.17g}", value);
-    if (campaign.of_impacts())
-      for (const double value : result.scalars) csv += failed ? "," : number_cell(value);
-    csv += columns.cells(result.values) + text_cell(result.failure) + "\n";
+  ArrayColumn& column(const std::string& name) {
+    const auto [at, added] = places_.try_emplace(name, columns_.size());
+    if (added) columns_.push_back({.name = name});
+    ArrayColumn& one = columns_[at->second];
+    one.numbers.resize(rows_, none);
+    return one;
   }
-  return csv;
+
+  std::map<std::string, std::size_t> places_;
+  std::vector<ArrayColumn> columns_;
+  std::size_t rows_ = 0;
+};
+
+void add_member(const Campaign& campaign, std::size_t number, const std::vector<double>& factors,
+                const MemberResult& result, Columns& columns, std::vector<std::string>& failures) {
+  columns.add_row();
+  columns.add("member", static_cast<double>(number));
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    columns.add(campaign.design().factors[i].key, factors[i]);
+  const bool failed = !result.failure.empty();
+  for (std::size_t i = 0; campaign.of_impacts() && i < member_scalars.size(); ++i)
+    columns.add(member_scalars[i],
+                failed ? std::numeric_limits<double>::quiet_NaN() : result.scalars[i]);
+  for (const auto& [name, value] : result.values)
+    std::visit([&](const auto& one) { columns.add(name, one); }, value);
+  failures.push_back(result.failure);
+}
+
+std::string text_cell(std::string text) {
+  if (text.empty()) return {};
+  std::replace(text.begin(), text.end(), '"', '\'');
+  return "\"" + text + "\"";
 }
 
 }  // namespace
@@ -85,7 +86,12 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
     stores.emplace_back(file, ResultStore::Access::read, campaign.program());
   CampaignTable table;
   table.members = campaign.size();
-  std::vector<FoundMember> found;
+  Columns columns;
+  std::vector<std::string> failures;
+  columns.declare("member");
+  for (const CampaignFactor& factor : campaign.design().factors) columns.declare(factor.key);
+  if (campaign.of_impacts())
+    for (const char* name : member_scalars) columns.declare(name);
   DesignSampler sampler(campaign.design());
   for (std::size_t first = 0; first < table.members; first += members_at_once) {
     std::vector<std::size_t> numbers;
@@ -99,11 +105,37 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
       if (!result) continue;
       ++table.found;
       if (!result->failure.empty()) ++table.failed;
-      found.push_back({numbers[i], members[i]->values, std::move(*result)});
+      add_member(campaign, numbers[i], members[i]->values, *result, columns, failures);
     }
   }
-  table.csv = csv_of(campaign, found);
+  table.columns = columns.take();
+  table.columns.push_back({.name = "failure", .texts = std::move(failures)});
   return table;
+}
+
+std::string csv_of(const CampaignTable& table) {
+  std::string csv;
+  for (const ArrayColumn& column : table.columns) csv += (csv.empty() ? "" : ",") + column.name;
+  csv += "\n";
+  for (std::size_t row = 0; row < table.found; ++row) {
+    for (const ArrayColumn& column : table.columns) {
+      if (&column != table.columns.data()) csv += ",";
+      if (!column.texts.empty())
+        csv += text_cell(column.texts[row]);
+      else if (!std::isnan(column.numbers[row]))
+        csv += fmt::format("{:.17g}", column.numbers[row]);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+void write_hdf5(const CampaignTable& table, const Campaign& campaign,
+                const std::filesystem::path& file) {
+  write_array_table(file, table.columns,
+                    {{"campaign", campaign.text().text},
+                     {"base", campaign.text().base_text},
+                     {"program", campaign.program()}});
 }
 
 Campaign stored_campaign(const std::filesystem::path& store) {
