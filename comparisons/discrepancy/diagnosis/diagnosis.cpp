@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
@@ -98,25 +99,9 @@ void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request
       100.0 * gap->numerical_uncertainty));
 }
 
-/// The believed FE model as it is judged: cut for the fitted material, its numerical error known.
-Hypothesis settled(Diagnosis& d, const DiagnosisRequest& request, const Observations& all,
-                   const RunControl& control) {
-  SettledFem fem =
-      settle_fem(*request.believed_fem, request.believed_effects, all, *d.seen, *d.unseen, control);
-  d.seen = std::make_shared<const Observations>(std::move(fem.seen));
-  d.unseen = std::make_shared<const Observations>(std::move(fem.unseen));
-  d.numerical_uncertainty = fem.numerical_uncertainty;
-  d.warnings.push_back(fmt::format(
-      "the believed FE model was run on {} cells and corrected by {} cells; what is still wrong, "
-      "{:.2g} % of the peak force, counts among the errors of the data",
-      fem.cells, fem.finer_cells, 100.0 * fem.numerical_uncertainty));
-  return std::move(fem.hypothesis);
-}
-
-void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& as_read,
+void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
             const Observations& all, const RunControl& whole) {
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
-  const Hypothesis believed = request.believed_fem ? settled(d, request, all, control) : as_read;
   d.believed = assess_believed(*d.seen, believed, request, control);
   report_progress(whole, baseline_share);
   const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
@@ -125,7 +110,7 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& as_
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });
-  if (!d.selection.explains() && !believed.fem && request.ask_fem && has_fem_tier() && has_history)
+  if (!d.selection.explains() && request.ask_fem && has_fem_tier() && has_history)
     search_with_model_discrepancy(d, request, believed, all, whole);
 }
 
@@ -196,7 +181,10 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.needed = lacking(*d.seen, baseline);
   if (!d.needed.empty()) return d;
 
-  search(d, request, baseline, all, control);
+  if (baseline.fem)
+    search_in_fem(d, request, all, control);
+  else
+    search(d, request, baseline, all, control);
   for (const DataCheck& one : compare_slow_tests(*d.seen, d.believed.fit)) d.checks.push_back(one);
   conclude(d, request.rules);
   d.gap.before = d.believed.fit.reduced_chi_square();

@@ -5,6 +5,7 @@
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -12,16 +13,30 @@ namespace {
 constexpr LumpedControls impact_controls{.relative_tolerance = 1e-7, .samples = 201};
 constexpr std::size_t most_kept = 256;  // impacts a shot
 
-ModelledImpact run_lumped(const LumpedProblem& problem) {
+/// No impact where numbers that a search tries are outside what a problem may have.
+ModelledImpact run_lumped(const LumpedProblem& problem) try {
   LumpedResult result = simulate_fast(problem);
   return {.trace = std::move(result.trace),
           .scalars = result.scalars,
           .plate = problem.model.mechanisms.plate};
+} catch (const Error& error) {
+  if (error.code() != ExitCode::bad_input) throw;
+  throw Error(ExitCode::solver_failed, error.what());
 }
 
 }  // namespace
 
 LumpedProblem JointModel::problem_at(const std::vector<double>& values, std::size_t shot) const {
+  try {
+    return lumped_problem(values, shot);
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::bad_input) throw;
+    throw Error(ExitCode::solver_failed, error.what());  // numbers a search tries, no file's
+  }
+}
+
+LumpedProblem JointModel::lumped_problem(const std::vector<double>& values,
+                                         std::size_t shot) const {
   const MeasuredImpact& observed = seen_.shots[shot];
   const MeasurementChain chain = chain_at(values, shot);
   LumpedProblem problem{.sphere = observed.sphere,

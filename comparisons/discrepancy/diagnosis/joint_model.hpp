@@ -59,7 +59,7 @@ struct DataRow {
 /// Caution: not to be shared between threads; the impacts it has run are kept.
 /// Errors: Error(bad_input) for a model without numbers at one of the speeds,
 ///         or an effect that has no form for it; Error(solver_failed) where
-///         an impact has no answer.
+///         an impact has no answer, or tried numbers are outside what a problem may have.
 class JointModel {
  public:
   JointModel(const Observations& seen, const Hypothesis& hypothesis);
@@ -136,6 +136,7 @@ class JointModel {
   void forget_impacts() const;
 
  private:
+  LumpedProblem lumped_problem(const std::vector<double>& values, std::size_t shot) const;
   struct Unstarted {};  ///< starts of records are not known yet
   JointModel(const Observations& seen, const Hypothesis& hypothesis, Unstarted);
   std::vector<double> impact_key(const std::vector<double>& values, std::size_t shot) const;

@@ -107,17 +107,21 @@ SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice
                       const Observations& all, const Observations& seen, const Observations& unseen,
                       const RunControl& control) {
   const std::vector<Material> as_believed(all.balls.size(), believed.material);
-  const HypothesisFit first = fit_believed(
-      seen,
-      {.fem = std::make_shared<const FemBelief>(believed, all, as_believed, search_cells, control),
-       .effects = effects},
-      control);
-  const std::vector<Material> materials = materials_of(first, all.balls.size());
-  FemProblem fitted = believed;
+  const auto fem =
+      std::make_shared<const FemBelief>(believed, all, as_believed, search_cells, control);
+  const HypothesisFit first = fit_believed(seen, {.fem = fem, .effects = effects}, control);
+  return settle_fem_at(first, all, seen, unseen, control);
+}
+
+SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
+                         const Observations& seen, const Observations& unseen,
+                         const RunControl& control) {
+  const std::vector<Material> materials = materials_of(near, all.balls.size());
+  FemProblem fitted = near.model->fem()->problem();
   fitted.material = materials.front();
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, search_cells, control);
   const FemBelief fine(fitted, all, materials, finer * search_cells, control);
-  const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = first.effects}, control);
+  const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = near.effects}, control);
   MeshComparison comparison(fit, fine);
   comparison.compare(seen);
   comparison.compare(unseen);

@@ -35,4 +35,11 @@ SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice
                       const Observations& all, const Observations& seen, const Observations& unseen,
                       const RunControl& control);
 
+/// The same for a model that has been fitted already, with the effects it has: a mesh errs
+/// otherwise in a ball that loses energy than in one that does not. `seen` and `unseen` are without
+/// numerical errors, as above.
+SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
+                         const Observations& seen, const Observations& unseen,
+                         const RunControl& control);
+
 }  // namespace rebound
