@@ -169,6 +169,27 @@ TEST_F(CampaignBases, AMemberIsTheCalibrationOfItsFile) {
   EXPECT_EQ(again["run"], 2);
 }
 
+TEST_F(CampaignBases, AMemberIsTheCalibrationOfAMaterial) {
+  json_of({"synthesize", "synthesis.toml", "--out", "made", "--json"});
+  folder.write("fem.toml", fem_file);
+  const std::string calibration =
+      "schema = 1\ntier = \"fem\"\nmodel = \"fem.toml\"\nfree = [\"youngs_modulus\"]\n"
+      "folders = [\"made/data\"]\nstarts = 1\ncontact_time_uncertainty = 0.01\n";
+  folder.write("material.toml", calibration);
+  const std::string key = "contact_time_uncertainty";
+  const auto table = rows(campaign_of("material.toml", key, "0.01, 0.03"), "store");
+  ASSERT_EQ(table.size(), 2u);
+  for (const char* value : {"0.01", "0.03"}) {
+    folder.write("material.toml", replaced(calibration, "0.01", value));
+    const auto single = json_of({"calibrate", "material.toml", "--json"});
+    const Row& row = table[std::string(value) == "0.03"];
+    EXPECT_EQ(std::stod(row.at("cost_after")), single["cost_after"].get<double>()) << value;
+    EXPECT_EQ(std::stod(row.at(single["estimates"][0]["name"])),
+              single["estimates"][0]["value"].get<double>());
+  }
+  EXPECT_NE(table[0].at("cost_after"), table[1].at("cost_after"));
+}
+
 TEST_F(CampaignBases, AMemberIsTheDiagnosisOfItsExperiment) {
   folder.write("diagnosis.toml",
                "schema = 1\nbelieved = \"ball.toml\"\nexperiment = \"synthesis.toml\"\n"

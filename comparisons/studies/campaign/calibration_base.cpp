@@ -59,19 +59,18 @@ struct LawCalibrationBase final : Campaign::Base {
   }
 };
 
-/// Of a material: the data and the FE model are read once.
+/// Of a material. The data are read for each member: their assumed uncertainties may be varied.
 struct MaterialCalibrationBase final : Campaign::Base {
   MaterialCalibrationFile file;
-  MaterialCalibrationInput input;
   std::string data_digest;
 
   explicit MaterialCalibrationBase(Document read) : Base(std::move(read)) {
     read_document(document, file);
     for (const std::string& folder : file.folders)
       data_digest += digest_of_folder(document.folder() / folder) + "\n";
-    input = read_input(document, file);
-    data_digest += write_toml(input.start) + "\n";
-    if (!input.start.mesh_file.empty()) data_digest += sha256(bytes_of(input.start.mesh_file));
+    const FemProblem start = read_input(document, file).start;
+    data_digest += write_toml(start) + "\n";
+    if (!start.mesh_file.empty()) data_digest += sha256(bytes_of(start.mesh_file)) + "\n";
     fem_tier();  // loaded before there are threads
   }
 
@@ -81,12 +80,14 @@ struct MaterialCalibrationBase final : Campaign::Base {
                                            std::vector<double> values) const override {
     MaterialCalibrationFile varied = file;
     set_numbers(varied, campaign.design().factors, values);
-    return make_member(campaign, "material calibration\n" + data_digest + write_toml(varied),
-                       std::move(values), [&]() -> MemberWork {
-                         return [this, varied](const RunControl& control) {
-                           return result_of(calibrate_material(varied, input, control).found.fit);
-                         };
-                       });
+    return make_member(
+        campaign, "material calibration\n" + data_digest + write_toml(varied), std::move(values),
+        [&]() -> MemberWork {
+          return [this, varied](const RunControl& control) {
+            return result_of(
+                calibrate_material(varied, read_input(document, varied), control).found.fit);
+          };
+        });
   }
 };
 

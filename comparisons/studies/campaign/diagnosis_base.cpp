@@ -70,10 +70,10 @@ struct DiagnosisBase final : Campaign::Base {
       content += digest_of_folder(document.folder() / folder) + "\n";
     }
     if (!file.experiment.empty()) read_experiment();
-    if (data.empty())
-      read_believed_model(*believed, {stated()});
-    else
-      read_believed_model(*believed, data);
+    const BelievedModel model =
+        read_believed_model(*believed, data.empty() ? std::vector<Dataset>{stated()} : data);
+    if (model.fem && !model.fem->mesh_file.empty())
+      content += sha256(bytes_of(model.fem->mesh_file)) + "\n";
     if (file.ask_fem && has_fem_tier()) fem_tier();  // loaded before there are threads
   }
 
