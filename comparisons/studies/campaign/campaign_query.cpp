@@ -67,8 +67,8 @@ void add_member(const Campaign& campaign, std::size_t number, const std::vector<
   for (std::size_t i = 0; campaign.of_impacts() && i < member_scalars.size(); ++i)
     columns.add(member_scalars[i],
                 failed ? std::numeric_limits<double>::quiet_NaN() : result.scalars[i]);
-  for (const auto& [name, value] : result.values)
-    std::visit([&](const auto& one) { columns.add(name, one); }, value);
+  for (const NamedValue& named : result.values)
+    std::visit([&](const auto& value) { columns.add(named.name, value); }, named.value);
   failures.push_back(result.failure);
 }
 

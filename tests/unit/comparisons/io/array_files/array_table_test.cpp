@@ -45,7 +45,7 @@ class ArrayTableTest : public ::testing::Test {
   /// What the reader says of arrays, the same whatever the file.
   Error refused(const std::vector<WrittenArray>& arrays) const {
     const Error as_matlab = refusal_of([&] { matlab(arrays); });
-    const Error as_hdf5 = refusal_of([&] { hdf5(arrays); });
+    Error as_hdf5 = refusal_of([&] { hdf5(arrays); });
     EXPECT_STREQ(as_matlab.what(), as_hdf5.what());
     EXPECT_EQ(as_matlab.location().key, as_hdf5.location().key);
     EXPECT_EQ(as_matlab.location().file, path("a.mat").string());
