@@ -8,7 +8,6 @@
 namespace rebound {
 namespace {
 
-constexpr double half_width = 0.06;   // of the contact
 constexpr Eigen::Index narrower = 3;  // times, at its ends, where the force starts as t^1.5
 
 /// Weights of points −before … after for the value at 0 of the parabola through them.
@@ -24,7 +23,12 @@ Eigen::VectorXd weights_of(Eigen::Index before, Eigen::Index after) {
 
 }  // namespace
 
-std::vector<double> without_ripple(const std::vector<double>& force) {
+double ripple_width(int cells) {
+  constexpr double width = 0.06, of_cells = 300.0;
+  return width * std::sqrt(of_cells / std::max(cells, 1));
+}
+
+std::vector<double> without_ripple(const std::vector<double>& force, double half_width) {
   const auto count = static_cast<Eigen::Index>(force.size());
   const auto width = static_cast<Eigen::Index>(half_width * static_cast<double>(count - 1));
   const Eigen::Map<const Eigen::VectorXd> raw(force.data(), count);

@@ -138,7 +138,8 @@ ModelledImpact FemBelief::run_anew(std::size_t ball, const FemProblem& problem) 
     throw Error(ExitCode::solver_failed, result.incomplete_because);
   ModelledImpact impact{
       .trace = at_equal_phases(result.trace), .scalars = result.scalars, .plate = problem.plate};
-  if (!problem.plate.moves()) impact.trace.force = without_ripple(impact.trace.force);
+  if (!problem.plate.moves())
+    impact.trace.force = without_ripple(impact.trace.force, ripple_width(cells_));
   return impact;
 }
 
