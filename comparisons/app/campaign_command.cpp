@@ -10,6 +10,7 @@
 #include "comparisons/app/terminal.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/studies/campaign/campaign_query.hpp"
+#include "comparisons/studies/campaign/diagnosis_base.hpp"
 #include "comparisons/studies/campaign/run_campaign.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
@@ -18,22 +19,26 @@ namespace {
 
 struct CampaignOptions {
   std::vector<std::string> what;
-  std::string shard, csv;
+  std::string shard, csv, hdf5;
 };
 
 std::string campaign_help() {
-  return "campaign FILE runs one impact a member and keeps its scalars in --out DIR (default\n"
+  return "campaign FILE varies an impact, a synthesis, a calibration or a diagnosis, and keeps of\n"
+         "each member its scalars, those of its shots, the fitted parameters and their cost, or\n"
+         "the verdict with name, family and size, in --out DIR (default\n"
          "results/campaigns/NAME of FILE): SQLite files, one a shard. A member that is there is\n"
          "not run again, so the same command goes on after a kill, and costs nothing when done.\n"
          "Several shards, of a job array or of mpirun -n N, share DIR; each writes its own file.\n"
-         "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI.\n"
+         "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI;\n"
+         "--hdf5 TABLE.h5 writes it as data sets, one a column.\n"
          "A member that cannot be run (the contact does not end, the combination is refused) is\n"
          "kept with the reason. Results of another program than this one are refused, exit 5.\n\n"
          "  rebound campaign speeds.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
          "  mpirun -n 8 rebound campaign speeds.toml --threads 1\n"
          "  rebound campaign query speeds.toml --csv speeds.csv\n\n"
          "Keys of FILE (TOML):\n" +
-         help_text<CampaignFile>() + "\n" + exit_code_help();
+         help_text<CampaignFile>() + "\nKeys of a diagnosis that is varied (TOML):\n" +
+         help_text<DiagnosisFile>() + "\n" + exit_code_help();
 }
 
 std::filesystem::path store_of(const Session& session, const std::filesystem::path& file) {
@@ -45,22 +50,25 @@ ExitCode run_query(const Session& session, const CampaignOptions& options) {
   const std::filesystem::path source = options.what[1];
   const bool is_file = source.extension() == ".toml";
   const auto store = is_file ? store_of(session, source) : source;
-  const CampaignTable table =
-      query_campaign(is_file ? Campaign::load(source) : stored_campaign(store), store);
-  if (!options.csv.empty()) write_file_atomically(options.csv, table.csv);
+  const Campaign campaign = is_file ? Campaign::load(source) : stored_campaign(store);
+  const CampaignTable table = query_campaign(campaign, store);
+  if (!options.csv.empty()) write_file_atomically(options.csv, csv_of(table));
+  if (!options.hdf5.empty()) write_hdf5(table, campaign, options.hdf5);
   if (session.json())
     fmt::print("{}", dump({{"schema", 1},
                            {"members", table.members},
                            {"found", table.found},
                            {"failed", table.failed},
                            {"complete", table.found == table.members},
-                           {"csv", options.csv}}));
-  else if (options.csv.empty())
-    fmt::print("{}", table.csv);
+                           {"csv", options.csv},
+                           {"hdf5", options.hdf5}}));
+  else if (options.csv.empty() && options.hdf5.empty())
+    fmt::print("{}", csv_of(table));
   else
-    print_text(fmt::format("{} of {} members, {} without a result, in {}\n",
-                           count_text(table.found), count_text(table.members),
-                           count_text(table.failed), options.csv));
+    print_text(fmt::format(
+        "{} of {} members, {} without a result, in {}\n", count_text(table.found),
+        count_text(table.members), count_text(table.failed),
+        options.csv + (options.csv.empty() || options.hdf5.empty() ? "" : " and ") + options.hdf5));
   return ExitCode::done;
 }
 
@@ -101,6 +109,10 @@ ExitCode run_campaign_command(const Session& session, const CampaignOptions& opt
     throw Error(
         ExitCode::bad_input, "a table belongs to a query",
         {.key = "--csv", .value = options.csv, .allowed = "campaign query FILE|STORE --csv"});
+  if (!query && !options.hdf5.empty())
+    throw Error(
+        ExitCode::bad_input, "a table belongs to a query",
+        {.key = "--hdf5", .value = options.hdf5, .allowed = "campaign query FILE|STORE --hdf5"});
   return query ? run_query(session, options) : run_all(session, options);
 }
 
@@ -114,6 +126,8 @@ Action declare_campaign(CLI::App& command) {
   command.add_option("--shard", options->shard,
                      "Run one part of the members, i/N; default: the rank of mpirun, else all");
   command.add_option("--csv", options->csv, "Of a query: where the table goes");
+  command.add_option("--hdf5", options->hdf5,
+                     "Of a query: an HDF5 file with one data set a column");
   command.footer(campaign_help);
   return [options](const Session& session) { return run_campaign_command(session, *options); };
 }

@@ -132,9 +132,11 @@ ExitCode run_init(const Session& session, const InitOptions& options) {
   if (!options.from.empty() && (dataset || options.what.empty()))
     return run_init_dataset(session, options);
   if (dataset)
-    throw Error(
-        ExitCode::bad_input, "which file is the data set made from?",
-        {.file = {}, .key = "--from", .value = {}, .allowed = "init dataset --from FILE.csv"});
+    throw Error(ExitCode::bad_input, "which file is the data set made from?",
+                {.file = {},
+                 .key = "--from",
+                 .value = {},
+                 .allowed = "init dataset --from FILE.csv, .mat or .h5"});
   const std::filesystem::path folder = session.out.empty() ? "." : session.out;
   if (!options.what.empty()) {
     const NamedExample& example = named_example(options.what);
@@ -160,7 +162,8 @@ Action declare_init(CLI::App& command) {
                   "measurements")
       ->type_name("TEXT:{" + names + "}");
   command.add_flag("--list", options->list, "Print the examples, and what each shows");
-  command.add_option("--from", options->from, "CSV file of a recorder or a spreadsheet");
+  command.add_option("--from", options->from,
+                     "File of a recorder or a spreadsheet: text, .mat or HDF5");
   command.add_option("--mass", options->hints.mass, "Of the ball, e.g. \"89.6 g\"");
   command.add_option("--diameter", options->hints.diameter, "Of the ball, e.g. \"66.2 mm\"");
   command.add_option("--speed", options->hints.speed, "Of a trace's impact, e.g. \"15 m/s\"");
@@ -170,7 +173,8 @@ Action declare_init(CLI::App& command) {
       "init dataset --from FILE writes a data set around a file into --out (default: a folder of "
       "the\n"
       "file's name beside it): a copy of the file and a manifest in which every guess is marked.\n"
-      "Comma, semicolon or tabulator, decimal comma, units in the headings or below them. A time\n"
+      "Comma, semicolon or tabulator, decimal comma, units in the headings or below them; or\n"
+      "variables of a MATLAB (.mat) or HDF5 (.h5) file. A time\n"
       "beside forces or accelerations is a trace, anything else a table of shots; a column of "
       "balls\n"
       "gives a folder a ball.\n\n" +

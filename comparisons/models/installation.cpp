@@ -44,7 +44,7 @@ std::vector<std::filesystem::path> prefixes() {
 std::filesystem::path shared_folder(const char* name, const char* of_the_sources) {
   std::error_code status;
   for (const auto& prefix : prefixes())
-    if (const auto installed = prefix / "share/rebound" / name;
+    if (auto installed = prefix / "share/rebound" / name;
         std::filesystem::is_directory(installed, status))
       return installed;
   return of_the_sources;

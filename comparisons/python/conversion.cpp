@@ -49,7 +49,9 @@ toml::table table_of(const py::dict& dict, const std::string& path) {
   for (const auto& [name, value] : dict) {
     if (value.is_none()) continue;  // as an argument that is not given
     const auto key = name.cast<std::string>();
-    convert(value, path.empty() ? key : path + "." + key,
+    std::string place = path.empty() ? std::string() : path + ".";
+    place += key;
+    convert(value, place,
             [&](auto&& one) { table.insert_or_assign(key, std::forward<decltype(one)>(one)); });
   }
   return table;

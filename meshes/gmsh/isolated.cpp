@@ -55,20 +55,20 @@ void withdraw(pid_t parent, const Isolation& limits) {
 }
 
 /// "+" and the result, or "-" and the error.
-std::string outcome_of(const std::function<std::string()>& work) {
+std::string outcome_of(const std::function<std::string()>& work, const std::string& program) {
   try {
     return "+" + work();
   } catch (const Error& error) {
     return "-" + bytes_of(error);
   } catch (const std::string& reason) {  // what Gmsh 4.8 throws
-    return "-" + bytes_of(Error(ExitCode::bad_input, "Gmsh: " + reason));
+    return "-" + bytes_of(Error(ExitCode::bad_input, program + ": " + reason));
   } catch (const std::bad_alloc&) {
     return "-" + bytes_of(Error(ExitCode::bad_input,
                                 "it needs more memory than a file of its size can: damaged?"));
   } catch (const std::exception& error) {
-    return "-" + bytes_of(Error(ExitCode::bad_input, std::string("Gmsh: ") + error.what()));
+    return "-" + bytes_of(Error(ExitCode::bad_input, program + ": " + error.what()));
   } catch (...) {
-    return "-" + bytes_of(Error(ExitCode::bad_input, "Gmsh gave up without a reason"));
+    return "-" + bytes_of(Error(ExitCode::bad_input, program + " gave up without a reason"));
   }
 }
 
@@ -106,11 +106,11 @@ class Child {
   int pipe_;
 };
 
-std::string bytes_from(Child& child, const RunControl& control) {
+std::string bytes_from(Child& child, const std::string& program, const RunControl& control) {
   std::string bytes;
   for (;;) {
     if (control.interrupted && control.interrupted())
-      throw Error(ExitCode::interrupted, "interrupted while Gmsh was at work");
+      throw Error(ExitCode::interrupted, "interrupted while " + program + " was at work");
     const auto more = child.read(100);
     if (!more) continue;
     if (more->empty()) return bytes;
@@ -122,6 +122,7 @@ std::string bytes_from(Child& child, const RunControl& control) {
 
 std::string isolated(const std::function<std::string()>& work, const Isolation& limits,
                      const RunControl& control) {
+  const std::string program = limits.program;
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw Error(ExitCode::input_output_failed, std::string("no pipe: ") + std::strerror(errno));
@@ -129,25 +130,25 @@ std::string isolated(const std::function<std::string()>& work, const Isolation& 
   const pid_t id = ::fork();
   if (id == 0) {
     withdraw(parent, limits);
-    write_all(pipe[1], outcome_of(work));
+    write_all(pipe[1], outcome_of(work, limits.program));
     ::_exit(0);  // nothing of the parent's is flushed or destroyed here
   }
   ::close(pipe[1]);
   if (id < 0) {
     ::close(pipe[0]);
     throw Error(ExitCode::input_output_failed,
-                std::string("no process for Gmsh: ") + std::strerror(errno));
+                "no process for " + program + ": " + std::strerror(errno));
   }
   Child child(id, pipe[0]);
-  const std::string bytes = bytes_from(child, control);
+  const std::string bytes = bytes_from(child, program, control);
   const int status = child.end();
   if (control.interrupted && control.interrupted())
-    throw Error(ExitCode::interrupted, "interrupted while Gmsh was at work");
+    throw Error(ExitCode::interrupted, "interrupted while " + program + " was at work");
   if (WIFSIGNALED(status))
     throw Error(ExitCode::bad_input,
-                std::string("Gmsh crashed on it (") + strsignal(WTERMSIG(status)) + "): damaged?");
+                program + " crashed on it (" + strsignal(WTERMSIG(status)) + "): damaged?");
   if (bytes.empty() || WEXITSTATUS(status) != 0)
-    throw Error(ExitCode::bad_input, "Gmsh ended before it was done");
+    throw Error(ExitCode::bad_input, program + " ended before it was done");
   if (bytes.front() == '-') throw error_of(bytes.substr(1));
   return bytes.substr(1);
 }

@@ -10,8 +10,9 @@ namespace rebound {
 /// What a process of its own may do.
 struct Isolation {
   enum class Files { none, writes };
-  Files files = Files::none;  ///< may it write files at all?
-  double memory = 1e9;        ///< beyond what this process has mapped [B]
+  Files files = Files::none;     ///< may it write files at all?
+  double memory = 1e9;           ///< beyond what this process has mapped [B]
+  const char* program = "Gmsh";  ///< who is at work, in messages
 };
 
 /// Runs `work` in a process of its own and returns what it returned.

@@ -21,12 +21,12 @@ class CampaignKills : public ProgramTest {
 
   void write_campaign(int count) {
     members = count;
+    const std::string key = of_experiments ? "shot[0].speed" : "impact.speed";
     folder.write("many.toml",
                  "schema = 1\nbase = \"ball.toml\"\n[design]\nkind = \"latin-hypercube\"\n"
                  "count = " +
-                     std::to_string(count) +
-                     "\n[[design.factor]]\nkey = \"impact.speed\"\n"
-                     "low = \"1 m/s\"\nhigh = \"30 m/s\"\n");
+                     std::to_string(count) + "\n[[design.factor]]\nkey = \"" + key +
+                     "\"\nlow = \"1 m/s\"\nhigh = \"30 m/s\"\n");
   }
 
   /// A campaign in the background.
@@ -55,8 +55,8 @@ class CampaignKills : public ProgramTest {
   }
 
   /// Kills a campaign `times` times; then it goes on to the end. How often was it killed?
-  void kill_again_and_again(int times) {
-    write_campaign(3000);
+  void kill_again_and_again(int times, int count = 3000) {
+    write_campaign(count);
     ASSERT_EQ(rebound({"campaign", "many.toml", "--out", "whole"}).exit_code, 0);
     const std::string whole = table("whole", members);
     std::mt19937 random(7);
@@ -82,10 +82,20 @@ class CampaignKills : public ProgramTest {
   }
 
   int members = 0;
+  bool of_experiments = false;
 };
 
 TEST_F(CampaignKills, KilledAtAnyTimeItGoesOnToTheSameBits) {
   kill_again_and_again(20);
+}
+
+TEST_F(CampaignKills, KilledAmongExperimentsItGoesOnToTheSameBits) {
+  folder.write("ball.toml",
+               lumped_file.substr(0, lumped_file.find("[impact]")) +
+                   lumped_file.substr(lumped_file.find("[sphere]")) +
+                   "[instrument]\nforce_noise = \"5 N\"\n[[shot]]\nspeed = \"5 m/s\"\n");
+  of_experiments = true;
+  kill_again_and_again(8, 600);
 }
 
 class CampaignKillsLong : public CampaignKills {};

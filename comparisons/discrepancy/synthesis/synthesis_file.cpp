@@ -154,14 +154,23 @@ void describe(Visitor& visit, SynthesisFile& file) {
              file.shots);
 }
 
-SynthesisFile read_synthesis(const Document& document) {
-  if (is_impact_file(document)) return from_impact_file(document);
+SynthesisFile read_uncompleted_synthesis(const Document& document) {
   SynthesisFile file;
   if (document.root()["model"]["tier"].value<std::string>() == "fem") file.tier = Tier::fem;
   read_document(document, file);
+  return file;
+}
+
+void complete_synthesis(const Document& document, SynthesisFile& file) {
   check_density(document, file.sphere);
   check_shots(document, file);
   resolve_mesh(document, file.fem.mesh_file);
+}
+
+SynthesisFile read_synthesis(const Document& document) {
+  if (is_impact_file(document)) return from_impact_file(document);
+  SynthesisFile file = read_uncompleted_synthesis(document);
+  complete_synthesis(document, file);
   return file;
 }
 

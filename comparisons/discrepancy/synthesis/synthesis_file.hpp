@@ -59,4 +59,10 @@ void describe(Visitor& visit, SynthesisFile& file);
 /// Errors: Error(bad_input) also for no shots, or a shot of which nothing is seen.
 SynthesisFile read_synthesis(const Document& document);
 
+/// A synthesis file as written, and every check that follows a reading, for whoever changes its
+/// numbers in between: density, shots, the mesh's path.
+/// Errors: as above, with the place in `document`.
+SynthesisFile read_uncompleted_synthesis(const Document& document);
+void complete_synthesis(const Document& document, SynthesisFile& file);
+
 }  // namespace rebound

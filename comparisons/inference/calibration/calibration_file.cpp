@@ -1,5 +1,8 @@
 #include "comparisons/inference/calibration/calibration_file.hpp"
 
+#include <utility>
+
+#include "comparisons/inference/references/read_references.hpp"
 #include "comparisons/io/toml/describe_impact.hpp"
 #include "comparisons/io/toml/describe_lumped.hpp"
 
@@ -106,6 +109,16 @@ void describe(Visitor& visit, CalibrationFile& file) {
               file.options.nuisances);
   visit.list({.name = "reference", .sentence = "What is calibrated to; repeat for more."},
              file.references);
+}
+
+std::vector<MeasuredImpact> references_of(const Document& document, const CalibrationFile& file) {
+  const auto read =
+      file.options.observable == Observable::scalars ? read_scalar_references : read_references;
+  std::vector<MeasuredImpact> shots;
+  for (const ReferenceFolder& reference : file.references)
+    for (MeasuredImpact& found : read(document.folder() / reference.folder))
+      shots.push_back(std::move(found));
+  return shots;
 }
 
 }  // namespace rebound

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "comparisons/inference/calibration/calibration_problem.hpp"
+#include "comparisons/inference/calibration/material_calibration.hpp"
+#include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/visitor.hpp"
 #include "lumped/problem/names.hpp"
 
@@ -29,5 +31,26 @@ struct MaterialCalibrationFile {
   double contact_time_uncertainty = 0.01;  ///< where none is stated, over the value [-]
 };
 void describe(Visitor& visit, MaterialCalibrationFile& file);
+
+/// What such a file names, read: the FE model that the search starts from, and the impacts.
+struct MaterialCalibrationInput {
+  FemProblem start;
+  std::vector<MeasuredImpact> measured;
+};
+
+/// All impacts of all folders; they must be of one ball, that of the model.
+/// Errors: Error(bad_input) with the place in `document`, and those of reading.
+MaterialCalibrationInput read_input(const Document& document, const MaterialCalibrationFile& file);
+
+/// A calibration on the mesh of its slowest impact, and that mesh's size.
+struct MeshedCalibration {
+  MaterialCalibration found;
+  std::size_t cells = 0;
+};
+
+/// Errors: those of calibrate_material, of the mesh, and of unknown names of free numbers.
+MeshedCalibration calibrate_material(const MaterialCalibrationFile& file,
+                                     const MaterialCalibrationInput& input,
+                                     const RunControl& control);
 
 }  // namespace rebound

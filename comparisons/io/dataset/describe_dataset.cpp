@@ -85,7 +85,7 @@ void describe(Visitor& visit, Quasistatic& quasistatic) {
                .range = from_to(1.0, 2.0)},
               quasistatic.platens);
   visit.text({.name = "trace",
-              .sentence = "CSV file in this folder: deflection_m, force_N.",
+              .sentence = "CSV, MATLAB or HDF5 file in this folder: deflection_m, force_N.",
               .presence = optional},
              quasistatic.trace_file);
   visit.number({.name = "force_uncertainty",

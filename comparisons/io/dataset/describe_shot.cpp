@@ -73,11 +73,13 @@ void describe(Visitor& visit, MeasuredImpact& shot) {
                 .unit = "m/s",
                 .range = at_least(0.0)},
                shot.speed_uncertainty);
-  visit.text({.name = "trace",
-              .sentence = "CSV file in this folder: time, force and, if known, deflection, with "
-                          "units in the headings.",
-              .presence = if_known},
-             shot.trace_file);
+  visit.text(
+      {.name = "trace",
+       .sentence =
+           "CSV, MATLAB or HDF5 file in this folder: time, force and, if known, deflection, with "
+           "units in the headings.",
+       .presence = if_known},
+      shot.trace_file);
   visit.text({.name = "channel",
               .sentence = "Heading of this shot's force, where the file holds several.",
               .presence = if_known},
@@ -163,7 +165,9 @@ void describe(Visitor& visit, AirStatement& air) {
 }
 
 void describe(Visitor& visit, ShotTable& table) {
-  visit.text({.name = "file", .sentence = "CSV file in this folder, one shot a row."}, table.file);
+  visit.text(
+      {.name = "file", .sentence = "CSV, MATLAB or HDF5 file in this folder, one shot a row."},
+      table.file);
   visit.text({.name = "only_column",
               .sentence = "Heading of the column that tells which rows are meant.",
               .presence = if_known},

@@ -30,18 +30,24 @@ std::string sphere_section(const DatasetHints& hints) {
 }
 
 std::string head_of(const std::filesystem::path& file, const TablePreview& preview) {
+  const std::string marks = fmt::format(
+      "# Written for {} by `rebound init dataset --from`. Lines marked GUESSED were guessed from\n"
+      "# names, units and numbers: look at each, then take the mark away. \"?\" is to be filled "
+      "in.\n",
+      file.filename().string());
+  const std::string rest = fmt::format(
+      "# All keys: rebound schema dataset. Then: rebound inspect FOLDER.\n"
+      "schema = 1\nname = {}\n",
+      toml_string(file.stem().string()));
+  if (preview.heading_line == 0)
+    return fmt::format("{}# The file: {} variables, the longest of {} numbers.\n{}", marks,
+                       preview.headings.size(), preview.rows, rest);
   const char* separator = preview.dialect.separator == '\t'  ? "tabulators"
                           : preview.dialect.separator == ';' ? "semicolons"
                                                              : "commas";
-  return fmt::format(
-      "# Written for {} by `rebound init dataset --from`. Lines marked GUESSED were guessed from\n"
-      "# names, units and numbers: look at each, then take the mark away. \"?\" is to be filled "
-      "in.\n"
-      "# The file: heading in line {}, {} rows, parted by {}, decimal {}.\n"
-      "# All keys: rebound schema dataset. Then: rebound inspect FOLDER.\n"
-      "schema = 1\nname = {}\n",
-      file.filename().string(), preview.heading_line, preview.rows, separator,
-      preview.dialect.decimal_mark == ',' ? "comma" : "point", toml_string(file.stem().string()));
+  return fmt::format("{}# The file: heading in line {}, {} rows, parted by {}, decimal {}.\n{}",
+                     marks, preview.heading_line, preview.rows, separator,
+                     preview.dialect.decimal_mark == ',' ? "comma" : "point", rest);
 }
 
 std::string channels_section(const TablePreview& preview, const TraceGuess& trace,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "comparisons/io/laboratory/array_table.hpp"
 #include "comparisons/io/laboratory/table_headings.hpp"
 #include "comparisons/io/laboratory/text_lines.hpp"
 
@@ -54,7 +55,7 @@ class TableReader {
       if (units && column.heading.unit.empty())
         column.heading.unit = unit_of_row((*units)[positions_[i]]);
       if (column.heading.unit.empty()) column.heading.unit = wanted_[i].unit;
-      factors_.back() = accepted_factor(lines_, wanted_[i], column, heading_line_);
+      factors_.back() = accepted_factor(lines_.name(), wanted_[i], column, heading_line_);
     }
     units_open_ = false;
   }
@@ -151,7 +152,7 @@ class TableReader {
 
 LaboratoryTable read_laboratory_table(const std::filesystem::path& file,
                                       const std::vector<WantedColumn>& wanted) {
-  return TableReader(file, wanted).read();
+  return is_array_file(file) ? read_array_table(file, wanted) : TableReader(file, wanted).read();
 }
 
 }  // namespace rebound

@@ -32,7 +32,8 @@ struct LaboratoryTable {
   int left_out_line = 0;            ///< of a last row that may be cut off; 0: none was left out
 };
 
-/// Reads columns of a table as a laboratory writes it.
+/// Reads columns of a table as a laboratory writes it; of MATLAB and HDF5 files, by their names,
+/// as read_array_table() does.
 ///
 /// Accepted: comma, semicolon or tabulator; decimal point or comma; byte order mark; LF or CRLF;
 ///           comments (#, %, //) and other lines above the heading; units in the heading or in a
@@ -54,7 +55,7 @@ struct TablePreview {
   std::vector<ColumnHeading> headings;
   std::vector<bool> is_number;  ///< of every column: is all of it numbers?
   std::vector<int> columns_at;  ///< where each heading starts in its line, from 1
-  int heading_line = 0;
+  int heading_line = 0;         ///< 0: the file has no lines, but variables
   std::size_t rows = 0;
 };
 

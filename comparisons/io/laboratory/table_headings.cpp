@@ -120,13 +120,13 @@ bool only_empty_beyond(const std::vector<std::string_view>& fields, std::size_t 
                      [](std::string_view field) { return field.empty(); });
 }
 
-double accepted_factor(const TextLines& lines, const WantedColumn& wanted, ReadColumn& column,
+double accepted_factor(const std::string& file, const WantedColumn& wanted, ReadColumn& column,
                        int heading_line) {
   if (wanted.accepted.empty()) return 1.0;
   const std::string& unit = column.heading.unit;
   const auto refuse = [&](const std::string& reason) {
     throw Error(ExitCode::bad_input, reason,
-                {.file = lines.name(),
+                {.file = file,
                  .line = heading_line,
                  .key = column.heading.text,
                  .value = unit,

@@ -32,9 +32,9 @@ std::string unit_of_row(std::string_view field);
 /// Are there at least so many fields, and only empty ones beyond?
 bool only_empty_beyond(const std::vector<std::string_view>& fields, std::size_t columns);
 
-/// One unit of the column in SI; sets its dimension.
+/// One unit of the column in SI; sets its dimension. Line 0: the file has no lines.
 /// Errors: Error(bad_input) for a unit that is missing, unknown or of another dimension.
-double accepted_factor(const TextLines& lines, const WantedColumn& wanted, ReadColumn& column,
+double accepted_factor(const std::string& file, const WantedColumn& wanted, ReadColumn& column,
                        int heading_line);
 
 }  // namespace rebound

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "comparisons/io/laboratory/array_table.hpp"
 #include "comparisons/io/laboratory/laboratory_table.hpp"
 #include "comparisons/io/laboratory/table_headings.hpp"
 #include "comparisons/io/laboratory/text_lines.hpp"
@@ -50,6 +51,7 @@ void look_at_row(const std::vector<std::string_view>& fields, TablePreview& prev
 }  // namespace
 
 TablePreview preview_table(const std::filesystem::path& file) {
+  if (is_array_file(file)) return preview_array_file(file);
   TextLines lines(file);
   std::optional<Candidate> candidate;
   std::optional<TablePreview> preview;

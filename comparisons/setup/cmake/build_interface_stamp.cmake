@@ -9,6 +9,7 @@ add_custom_command(OUTPUT ${stamp_header}
           -P ${PROJECT_SOURCE_DIR}/comparisons/setup/cmake/interface_stamp.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${stamp_header}
   DEPENDS ${crossing} ${PROJECT_SOURCE_DIR}/meshes/mesh.hpp ${PROJECT_SOURCE_DIR}/meshes/gmsh/interface.hpp
+          ${PROJECT_SOURCE_DIR}/comparisons/io/array_files/interface.hpp
           ${PROJECT_SOURCE_DIR}/comparisons/setup/cmake/interface_stamp.cmake
   COMMENT "Stamp of the FE module's interface" VERBATIM)
 add_custom_target(rebound_interface_stamp DEPENDS ${stamp_header})

@@ -31,6 +31,10 @@ if(REBOUND_FEM)
   install(TARGETS rebound_fem rebound_gmsh LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rebound
     COMPONENT fem)
 endif()
+if(TARGET rebound_array_files)
+  install(TARGETS rebound_array_files LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rebound
+    COMPONENT program)
+endif()
 foreach(room lumped fem/interface meshes comparisons/models)
   install(DIRECTORY ${room}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rebound/${room}
     FILES_MATCHING PATTERN "*.hpp" PATTERN "*.ipp" PATTERN "*.inc")

@@ -6,7 +6,8 @@ cmake_minimum_required(VERSION 3.25)
 # of other headers is refused. Ends with an error where such a header includes one that is not
 # digested.
 file(GLOB headers RELATIVE ${ROOT} ${ROOT}/fem/interface/*.hpp ${ROOT}/fem/interface/*.inc
-  ${ROOT}/lumped/problem/*.hpp ${ROOT}/meshes/mesh.hpp ${ROOT}/meshes/gmsh/interface.hpp)
+  ${ROOT}/lumped/problem/*.hpp ${ROOT}/meshes/mesh.hpp ${ROOT}/meshes/gmsh/interface.hpp
+  ${ROOT}/comparisons/io/array_files/interface.hpp)
 list(SORT headers)
 set(all "${COMPILER}")
 foreach(header IN LISTS headers)

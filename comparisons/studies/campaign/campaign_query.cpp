@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "comparisons/io/laboratory/array_table.hpp"
 #include "comparisons/studies/campaign/result_store.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -14,15 +16,66 @@ namespace {
 
 constexpr std::size_t members_at_once = 4096;
 
-std::string row(std::size_t number, const std::vector<double>& values, const MemberResult& result) {
-  std::string text = fmt::format("{}", number);
-  for (const double value : values) text += fmt::format(",{:.17g}", value);
+/// Columns that fill row by row; a value that a row does not have is NaN or empty.
+class Columns {
+ public:
+  /// A column that is there without rows, too.
+  void declare(const std::string& name) { column(name); }
+  void add_row() { ++rows_; }
+  void add(const std::string& name, double number) { column(name).numbers.back() = number; }
+  void add(const std::string& name, const std::string& text) {
+    ArrayColumn& one = column(name);
+    one.texts.resize(rows_);
+    one.texts.back() = text;
+  }
+  /// All of them, as long as there are rows; those of texts without numbers.
+  std::vector<ArrayColumn> take() {
+    for (ArrayColumn& one : columns_) {
+      if (one.texts.empty()) {
+        one.numbers.resize(rows_, none);
+        continue;
+      }
+      one.texts.resize(rows_);
+      one.numbers.clear();
+    }
+    return std::move(columns_);
+  }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  ArrayColumn& column(const std::string& name) {
+    const auto [at, added] = places_.try_emplace(name, columns_.size());
+    if (added) columns_.push_back({.name = name});
+    ArrayColumn& one = columns_[at->second];
+    one.numbers.resize(rows_, none);
+    return one;
+  }
+
+  std::map<std::string, std::size_t> places_;
+  std::vector<ArrayColumn> columns_;
+  std::size_t rows_ = 0;
+};
+
+void add_member(const Campaign& campaign, std::size_t number, const std::vector<double>& factors,
+                const MemberResult& result, Columns& columns, std::vector<std::string>& failures) {
+  columns.add_row();
+  columns.add("member", static_cast<double>(number));
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    columns.add(campaign.design().factors[i].key, factors[i]);
   const bool failed = !result.failure.empty();
-  for (const double value : result.scalars)
-    text += failed || std::isnan(value) ? "," : fmt::format(",{:.17g}", value);
-  std::string failure = result.failure;
-  std::replace(failure.begin(), failure.end(), '"', '\'');
-  return text + (failed ? fmt::format(",\"{}\"\n", failure) : ",\n");
+  for (std::size_t i = 0; campaign.of_impacts() && i < member_scalars.size(); ++i)
+    columns.add(member_scalars[i],
+                failed ? std::numeric_limits<double>::quiet_NaN() : result.scalars[i]);
+  for (const NamedValue& named : result.values)
+    std::visit([&](const auto& value) { columns.add(named.name, value); }, named.value);
+  failures.push_back(result.failure);
+}
+
+std::string text_cell(std::string text) {
+  if (text.empty()) return {};
+  std::replace(text.begin(), text.end(), '"', '\'');
+  return "\"" + text + "\"";
 }
 
 }  // namespace
@@ -33,10 +86,12 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
     stores.emplace_back(file, ResultStore::Access::read, campaign.program());
   CampaignTable table;
   table.members = campaign.size();
-  table.csv = "member";
-  for (const CampaignFactor& factor : campaign.design().factors) table.csv += "," + factor.key;
-  for (const char* name : member_scalars) table.csv += std::string(",") + name;
-  table.csv += ",failure\n";
+  Columns columns;
+  std::vector<std::string> failures;
+  columns.declare("member");
+  for (const CampaignFactor& factor : campaign.design().factors) columns.declare(factor.key);
+  if (campaign.of_impacts())
+    for (const char* name : member_scalars) columns.declare(name);
   DesignSampler sampler(campaign.design());
   for (std::size_t first = 0; first < table.members; first += members_at_once) {
     std::vector<std::size_t> numbers;
@@ -50,10 +105,37 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
       if (!result) continue;
       ++table.found;
       if (!result->failure.empty()) ++table.failed;
-      table.csv += row(numbers[i], members[i]->values, *result);
+      add_member(campaign, numbers[i], members[i]->values, *result, columns, failures);
     }
   }
+  table.columns = columns.take();
+  table.columns.push_back({.name = "failure", .texts = std::move(failures)});
   return table;
+}
+
+std::string csv_of(const CampaignTable& table) {
+  std::string csv;
+  for (const ArrayColumn& column : table.columns) csv += (csv.empty() ? "" : ",") + column.name;
+  csv += "\n";
+  for (std::size_t row = 0; row < table.found; ++row) {
+    for (const ArrayColumn& column : table.columns) {
+      if (&column != table.columns.data()) csv += ",";
+      if (!column.texts.empty())
+        csv += text_cell(column.texts[row]);
+      else if (!std::isnan(column.numbers[row]))
+        csv += fmt::format("{:.17g}", column.numbers[row]);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+void write_hdf5(const CampaignTable& table, const Campaign& campaign,
+                const std::filesystem::path& file) {
+  write_array_table(file, table.columns,
+                    {{"campaign", campaign.text().text},
+                     {"base", campaign.text().base_text},
+                     {"program", campaign.program()}});
 }
 
 Campaign stored_campaign(const std::filesystem::path& store) {

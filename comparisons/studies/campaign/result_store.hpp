@@ -21,9 +21,10 @@ struct KeptMember {
 /// killed loses nothing that was kept -> test CampaignCommand.KilledAtAnyTimeItGoesOnToTheSameBits.
 /// Two processes may write to one file: each waits for the other.
 ///
-///   member    key, one column a scalar, failure, factors, checksum
-///   campaign  sha256, and the texts and names of both files
-///   about     program: version that made the results
+///   member       key, one column a scalar, failure, factors, number of named values, checksum
+///   named_value  key, place, name, number or text: of members that are no impacts
+///   campaign     sha256, and the texts and names of both files
+///   about        program: version that made the results
 ///
 /// Errors of all members: Error(corrupt_store) for a file that is none, is damaged, is of another
 /// version of the format or was written by another program; it is left as it is.

@@ -60,6 +60,10 @@ void Statement::bind(int place, const std::string& text) {
                                       static_cast<int>(text.size()), SQLITE_TRANSIENT));
 }
 
+void Statement::clear(int place) {
+  database_.require(sqlite3_bind_null(handle_.get(), place));
+}
+
 bool Statement::step() {
   const int status = sqlite3_step(handle_.get());
   database_.require(status);

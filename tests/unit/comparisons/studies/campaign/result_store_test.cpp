@@ -41,7 +41,7 @@ class ResultStoreTest : public ::testing::Test {
 
 TEST_F(ResultStoreTest, WhatIsKeptComesBackToTheBit) {
   KeptMember failed = member(2);
-  failed.result = {.scalars = {}, .failure = "the contact did not end"};
+  failed.result = {.failure = "the contact did not end"};
   {
     ResultStore store(file, Access::write, "one");
     store.keep({member(1), failed});
@@ -54,6 +54,35 @@ TEST_F(ResultStoreTest, WhatIsKeptComesBackToTheBit) {
   EXPECT_TRUE(std::isnan(found->scalars.back()));
   EXPECT_EQ(store.find("key2")->failure, "the contact did not end");
   EXPECT_FALSE(store.find("key3"));
+}
+
+TEST_F(ResultStoreTest, NamedValuesComeBackInTheirOrder) {
+  KeptMember one = member(1);
+  one.result = {.values = {{.name = "size", .value = std::sqrt(0.1)},
+                           {.name = "verdict", .value = "missing"},
+                           {.name = "empty", .value = ""},
+                           {.name = "absent", .value = std::nan("")}}};
+  ResultStore(file, Access::write, "one").keep({one, member(2)});
+  ResultStore store(file, Access::read, "one");
+  const auto found = store.find("key1");
+  ASSERT_EQ(found->values.size(), 4u);
+  EXPECT_EQ(found->values[0].name, "size");
+  EXPECT_EQ(std::get<double>(found->values[0].value), std::sqrt(0.1));
+  EXPECT_EQ(std::get<std::string>(found->values[1].value), "missing");
+  EXPECT_EQ(std::get<std::string>(found->values[2].value), "");
+  EXPECT_TRUE(std::isnan(std::get<double>(found->values[3].value)));
+  EXPECT_TRUE(store.find("key2")->values.empty());
+}
+
+TEST_F(ResultStoreTest, AChangedTextOfAValueIsSeen) {
+  KeptMember one = member(1);
+  one.result = {.values = {{.name = "verdict", .value = "unexplained"}}};
+  ResultStore(file, Access::write, "one").keep({one});
+  std::string text = testing::read_whole(file);
+  text.replace(text.find("unexplained"), 1, "U");
+  folder.write("store.sqlite", text);
+  ResultStore store(file, Access::read, "one");
+  EXPECT_THROW(store.find("key1"), Error);
 }
 
 TEST_F(ResultStoreTest, TwoWritersOfOneFileDoNoHarm) {

@@ -1,0 +1,157 @@
+#include "comparisons/studies/campaign/campaign_base.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "comparisons/io/results/digest.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
+#include "comparisons/io/toml/describe_impact.hpp"
+#include "comparisons/io/toml/describe_lumped.hpp"
+#include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/io/toml/reader.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
+#include "comparisons/models/fem_access/mesh_for.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
+#include "lumped/integration/simulate.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+MemberResult result_of(const ImpactScalars& s, const Closures& closures, double momentum) {
+  return {.scalars = {s.restitution, s.contact_time, s.contact_time_1pct, s.peak_force,
+                      s.peak_deflection, s.mean_deflection, s.rebound_speed, closures.impulse,
+                      closures.energy, momentum}};
+}
+
+MemberResult run_problem(const LumpedProblem& problem, const RunControl&) {
+  const LumpedResult result = simulate(problem);
+  return result_of(result.scalars, result.closures, std::numeric_limits<double>::quiet_NaN());
+}
+
+MemberResult run_problem(const FemProblem& problem, const RunControl& control) {
+  const Mesh mesh = mesh_for(problem, control, worker_threads());
+  const FemResult result = fem_tier().simulate(problem, mesh, control);
+  if (result.incomplete_because.empty())
+    return result_of(result.scalars, result.closures, result.restitution_momentum);
+  if (control.interrupted && control.interrupted())
+    throw Error(ExitCode::interrupted, "interrupted");
+  return {.failure = result.incomplete_because};
+}
+
+/// A refusal that belongs to the member's input; throws what does not.
+std::string refusal_of(const Error& error) {
+  if (error.code() != ExitCode::bad_input && error.code() != ExitCode::solver_failed) throw error;
+  const std::string& key = error.location().key;
+  return key.empty() ? error.what() : key + ": " + error.what();
+}
+
+/// What a member does, or why there is nothing to do.
+struct PreparedMember final : Campaign::Member {
+  MemberWork work;
+  std::string refusal;
+
+  MemberResult run(const RunControl& control) const override {
+    if (!work) return {.failure = refusal};
+    try {
+      return work({.interrupted = control.interrupted, .progress = {}});
+    } catch (const Error& error) {
+      return {.failure = refusal_of(error)};
+    }
+  }
+};
+
+template <class File>
+struct ImpactBase final : Campaign::Base {
+  File file;  ///< as written: what follows from its numbers is found anew for each member
+  std::string mesh_digest;
+
+  explicit ImpactBase(Document read) : Base(std::move(read)) {
+    read_document(document, file);
+    File complete = file;
+    complete_impact(document, complete);
+    if constexpr (requires { file.problem.mesh_file; }) {
+      if (complete.problem.controls.field_frames > 0)
+        throw document.error_at("controls.field_frames", "a campaign keeps scalars, no fields",
+                                "0, or absent");
+      if (!complete.problem.mesh_file.empty())
+        mesh_digest = sha256(bytes_of(complete.problem.mesh_file));
+    }
+  }
+
+  bool of_impacts() const override { return true; }
+  std::vector<Key> numbers() const override { return numbers_of(file); }
+
+  std::unique_ptr<Campaign::Member> member(const Campaign& campaign,
+                                           std::vector<double> values) const override {
+    File varied = file;
+    set_numbers(varied, campaign.design().factors, values);
+    return make_member(
+        campaign, mesh_digest + "\n" + write_toml(varied), std::move(values), [&]() -> MemberWork {
+          return [problem = complete_impact(document, varied)](const RunControl& control) {
+            return run_problem(problem, control);
+          };
+        });
+  }
+};
+
+}  // namespace
+
+bool Campaign::Base::gives(const std::string& path) const {
+  return static_cast<bool>(toml::at_path(document.root(), path));
+}
+
+std::shared_ptr<const Campaign::Base> read_base(Document document) {
+  const toml::table& root = document.root();
+  if (root.contains("believed")) return read_diagnosis_base(std::move(document));
+  if (root.contains("reference") || root.contains("folders"))
+    return read_calibration_base(std::move(document));
+  if (root.contains("shot")) return read_synthesis_base(std::move(document));
+  if (root["model"]["tier"].value<std::string>() != "fem")
+    return std::make_shared<ImpactBase<LumpedImpactFile>>(std::move(document));
+  fem_tier();  // loaded before there are threads
+  return std::make_shared<ImpactBase<FemImpactFile>>(std::move(document));
+}
+
+std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const std::string& content,
+                                              std::vector<double> values,
+                                              const std::function<MemberWork()>& prepare) {
+  auto made = std::make_unique<PreparedMember>();
+  constexpr std::size_t digits = 32;
+  made->key = sha256(campaign.program() + "\n" + content).substr(0, digits);
+  made->values = std::move(values);
+  try {
+    made->work = prepare();
+  } catch (const Error& error) {
+    made->refusal = refusal_of(error);
+  }
+  return made;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
+  return bytes.str();
+}
+
+std::string digest_of_folder(const std::filesystem::path& folder) {
+  std::error_code status;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, status))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  if (status)
+    throw Error(ExitCode::input_output_failed, "cannot be read: " + status.message(),
+                {.file = folder.string()});
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const auto& file : files)
+    all += file.lexically_relative(folder).string() + "\n" + sha256(bytes_of(file)) + "\n";
+  return sha256(all);
+}
+
+}  // namespace rebound

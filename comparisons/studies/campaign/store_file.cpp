@@ -1,0 +1,109 @@
+#include "comparisons/studies/campaign/store_file.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "comparisons/studies/campaign/campaign.hpp"
+#include "comparisons/studies/campaign/sqlite.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr std::uint32_t application = 0x52424E44;  // "RBND": a store of campaigns
+constexpr std::uint32_t format_version = 2;
+constexpr std::size_t header_size = 100;
+
+std::uint32_t big_endian(const std::array<char, header_size>& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = at; i < at + 4; ++i)
+    value = value << 8U | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+}  // namespace
+
+std::string scalar_columns(const char* type) {
+  std::string text;
+  for (const char* name : member_scalars) text += fmt::format(", {}{}", name, type);
+  return text;
+}
+
+void refuse_store(const std::filesystem::path& file, const std::string& why,
+                  const std::string& allowed) {
+  throw Error(ExitCode::corrupt_store, why, {.file = file.string(), .allowed = allowed});
+}
+
+void check_store_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw Error(ExitCode::input_output_failed, "the store cannot be opened",
+                {.file = file.string()});
+  std::array<char, header_size> bytes{};
+  in.read(bytes.data(), header_size);
+  constexpr std::size_t version_place = 60, application_place = 68;  // of SQLite's file format
+  if (in.gcount() != header_size ||
+      !std::string_view(bytes.data(), header_size).starts_with("SQLite format 3"))
+    refuse_store(file, "this is not a store of campaigns, or its beginning is damaged");
+  if (big_endian(bytes, application_place) != application)
+    refuse_store(file, "this SQLite file is not a store of campaigns");
+  if (const auto version = big_endian(bytes, version_place); version != format_version)
+    refuse_store(file, fmt::format("this store is of version {} of the format", version),
+                 fmt::format("version {}", format_version));
+}
+
+void make_store_file(const std::filesystem::path& file, const std::string& program) {
+  std::string part = file.string() + ".part-XXXXXX";
+  const int placeholder = ::mkstemp(part.data());
+  if (placeholder < 0)
+    throw Error(ExitCode::input_output_failed,
+                std::string("the store cannot be made: ") + std::strerror(errno),
+                {.file = file.string()});
+  constexpr mode_t readable_by_all = 0644;
+  ::fchmod(placeholder, readable_by_all);
+  ::close(placeholder);
+  std::error_code ignored;
+  try {
+    Sqlite made(part, SQLITE_OPEN_READWRITE);
+    made.execute(
+        fmt::format(
+            "PRAGMA application_id={}; PRAGMA user_version={}; PRAGMA "
+            "journal_mode=WAL; BEGIN;"
+            "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL);"
+            "CREATE TABLE campaign (sha256 TEXT PRIMARY KEY, file TEXT, text TEXT, "
+            "base_file TEXT, base_text TEXT);"
+            "CREATE TABLE member (key TEXT PRIMARY KEY{}, failure TEXT NOT "
+            "NULL, factors TEXT NOT NULL, named INTEGER NOT NULL, checksum INTEGER NOT NULL) "
+            "WITHOUT ROWID;"
+            "CREATE TABLE named_value (key TEXT, place INTEGER, name TEXT NOT NULL, "
+            "number REAL, text TEXT, PRIMARY KEY (key, place)) WITHOUT ROWID;",
+            application, format_version, scalar_columns(" REAL"))
+            .c_str());
+    Statement about(made, "INSERT INTO about VALUES ('program', ?)");
+    about.bind(1, program);
+    about.step();
+    about.reset();
+    made.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
+  } catch (...) {
+    for (const char* end : {"", "-wal", "-shm", "-journal"})
+      std::filesystem::remove(part + end, ignored);
+    throw;
+  }
+  const int linked = ::link(part.c_str(), file.c_str());
+  const int reason = errno;
+  std::filesystem::remove(part, ignored);
+  if (linked != 0 && reason != EEXIST)
+    throw Error(ExitCode::input_output_failed,
+                std::string("the store cannot be made: ") + std::strerror(reason),
+                {.file = file.string()});
+}
+
+}  // namespace rebound
