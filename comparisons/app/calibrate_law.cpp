@@ -26,6 +26,7 @@ CalibrationOutput calibrate_law_file(const Document& document,
   read_document(document, file);
   const std::vector<MeasuredImpact> shots = references_of(document, file);
   std::vector<std::string> labels;
+  labels.reserve(shots.size());
   for (const MeasuredImpact& shot : shots) labels.push_back(shot.label);
   file.options.controls.checkpoint = checkpoint;
   LawCalibration calibration;
