@@ -17,6 +17,7 @@
 #include "comparisons/io/toml/toml_writer.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "comparisons/studies/reproduce/report_sections.hpp"
+#include "comparisons/studies/study/believed_simulation.hpp"
 #include "comparisons/studies/study/study_json.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -99,8 +100,10 @@ std::string complete_cores(const StudyRun& run) {
 Json run_cores(StudyRun& run) {
   ProgressLine progress("study");
   const RunControl whole = progress.control();
-  constexpr double experiment_share = 0.15;  // of a core's work; measured
-  const double count = static_cast<double>(run.study.cores.size()) +
+  // Of a core's work; measured.
+  constexpr double experiment_share = 0.15, simulation_share = 2.0;
+  const auto cores = static_cast<double>(run.study.cores.size());
+  const double count = (1.0 + simulation_share) * cores +
                        experiment_share * static_cast<double>(run.study.experiments.size());
   Json json;
   try {
@@ -113,9 +116,15 @@ Json run_cores(StudyRun& run) {
       write_core(run.out, run.cores.back(), run.provenance);
       json = write_study(run);
     }
+    RunControl control = whole;
+    control.progress = [&](double fraction) {
+      whole.progress((cores + simulation_share * cores * fraction) / count);
+    };
+    diagnose_simulation(run.study.fem, run.cores, control);
+    json = write_study(run);
     for (const StudyExperiment& experiment : run.study.experiments) {
       run.experiments.push_back(study_experiment(experiment, {.interrupted = whole.interrupted}));
-      whole.progress((static_cast<double>(run.cores.size()) +
+      whole.progress(((1.0 + simulation_share) * cores +
                       experiment_share * static_cast<double>(run.experiments.size())) /
                      count);
       json = write_study(run);

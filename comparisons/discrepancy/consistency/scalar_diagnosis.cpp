@@ -1,7 +1,5 @@
 #include "comparisons/discrepancy/consistency/scalar_diagnosis.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
@@ -9,24 +7,20 @@
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
-namespace {
 
-/// Shares of the work done when each part ends; measured on a sliotar core.
-constexpr double settled_share = 0.25, compared_share = 0.5, tried_share = 0.95;
-
-void refuse_too_few(const Dataset& data, const Observations& all, const Material& material) {
+bool enough_scalars(const Observations& all, const Material& material) {
   std::size_t numbers = 0;
   for (const MeasuredImpact& shot : all.shots)
     for (const ScalarQuantity& scalar : scalar_quantities)
       numbers += (shot.*scalar.measured).has_error() ? 1 : 0;
-  const std::size_t unknowns = 1 + 2 * material.branches.size();
-  if (numbers < unknowns + 2)
-    throw Error(ExitCode::bad_input,
-                fmt::format("{} scalars with an uncertainty are too few for the {} numbers of the "
-                            "material",
-                            numbers, unknowns),
-                {.file = data.folder, .key = {}, .value = {}, .allowed = {}});
+  const std::size_t unknowns = 1 + 2 * material.branches.size(), left_over = 2;
+  return numbers >= unknowns + left_over;
 }
+
+namespace {
+
+/// Shares of the work done when each part ends; measured on a sliotar core.
+constexpr double settled_share = 0.25, compared_share = 0.5, tried_share = 0.95;
 
 struct SpeedsApart {
   std::optional<double> speed;
@@ -58,11 +52,13 @@ void look_for_effects(ScalarDiagnosis& d, const SpeedsApart& apart, const Hypoth
   const HypothesisFit fit = fit_further(apart.seen, all, control);
   d.believed = gap_of(fit, apart.unseen);
   d.extended = d.believed;
-  d.effects = try_effects(apart.seen, fit, control);
-  if (d.effects.empty()) return;
-  d.extended = gap_of(fit_extended(apart.seen, fit, {d.effects.front().effect},
-                                   SearchEffort::whole, control),
-                      apart.unseen);
+  const std::vector<HypothesisFit> tried = try_effects(apart.seen, fit, control);
+  for (const HypothesisFit& one : tried)
+    d.effects.push_back({.effect = one.effects.back(),
+                         .family = find_effect(one.effects.back().name).card.family,
+                         .reduced_chi_square = one.reduced_chi_square(),
+                         .information_criterion = one.information_criterion});
+  if (!tried.empty()) d.extended = gap_of(tried.front(), apart.unseen);
 }
 
 }  // namespace
@@ -75,7 +71,10 @@ ScalarDiagnosis diagnose_scalars(const Dataset& data, const FemProblem& believed
   };
   ScalarDiagnosis d;
   d.all = all_scalars(data, assumed);
-  refuse_too_few(data, d.all, believed.material);
+  if (!enough_scalars(d.all, believed.material))
+    throw Error(ExitCode::bad_input,
+                "too few scalars with an uncertainty for the numbers of the material",
+                {.file = data.folder, .key = {}, .value = {}, .allowed = {}});
   const Observations none = subset(d.all, std::vector<bool>(d.all.shots.size(), false));
   const SettledFem settled = settle_fem(believed, {}, d.all, d.all, none, within, search_cells / 2);
   d.cells = settled.cells;

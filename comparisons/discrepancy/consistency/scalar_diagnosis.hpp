@@ -18,6 +18,14 @@ struct ScalarGap {
   std::optional<double> unseen;
 };
 
+/// One effect more in a fitted model, and what of the data it explains.
+struct EffectOnScalars {
+  EffectChoice effect;  ///< with fitted numbers
+  EffectFamily family{};
+  double reduced_chi_square = 0.0;
+  double information_criterion = 0.0;
+};
+
 /// A believed FE model of one ball beside all scalars that were measured of it.
 struct ScalarDiagnosis {
   Observations all;
@@ -29,6 +37,9 @@ struct ScalarDiagnosis {
   ScalarGap extended;                    ///< with the first of them
   int cells = 0, finer_cells = 0;        ///< of the mesh, and of the one that corrects it
 };
+
+/// Are there two numbers more than the material has?
+bool enough_scalars(const Observations& all, const Material& material);
 
 /// Holds an FE model against the scalars of a ball: which of them contradict each other, and which
 /// effect more would bring it closest, shown at a speed that no fit has seen.

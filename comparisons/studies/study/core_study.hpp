@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/consistency/scalar_diagnosis.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 #include "comparisons/evaluation/benchmark/benchmark.hpp"
 #include "comparisons/inference/calibration/law_calibration.hpp"
@@ -45,6 +46,8 @@ struct CoreStudy {
   std::vector<StudyLaw> laws;
   BenchmarkMatrix benchmark;  ///< law × shot, in the order of the two lists
   Diagnosis diagnosis;        ///< of the paper's own model against the measurement
+  /// The FE model against all scalars; empty until diagnose_simulation().
+  std::optional<ScalarDiagnosis> scalars;
 };
 
 /// Runs the chain for one ball.

@@ -73,6 +73,18 @@ void describe(Visitor& visit, StudyFem& fem) {
                 .unit = "N",
                 .range = at_least(0.0)},
                fem.contact_threshold);
+  const auto share = [&](const char* name, const char* sentence, double& member) {
+    visit.number({.name = name,
+                  .sentence = sentence,
+                  .presence = Presence::optional,
+                  .range = from_to(0.001, 1.0)},
+                 member);
+  };
+  share("mean_deflection_uncertainty",
+        "Share of a mean deflection that it is uncertain by, where the data set states none.",
+        fem.mean_deflection_uncertainty);
+  share("pooled_peak_uncertainty", "The same of a peak that stands for several balls.",
+        fem.pooled_peak_uncertainty);
   visit.list({.name = "branch", .sentence = "One Prony branch of the fit; repeat for more."},
              fem.branches);
 }

@@ -28,6 +28,9 @@ struct StudyFem {
   double shortest_travel = 0.5e-3;  ///< range of the platen fit in the data [m]
   double longest_travel = 2.5e-3;
   double contact_threshold = 10.0;  ///< where the data set states none [N]
+  /// Shares of the value, where a data set states no uncertainty.
+  double mean_deflection_uncertainty = 0.05;
+  double pooled_peak_uncertainty = 0.15;
   std::vector<StudyBranch> branches;
 };
 

@@ -1,6 +1,9 @@
 #include "comparisons/studies/study/study_json.hpp"
 
+#include <cmath>
+
 #include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/studies/study/believed_simulation.hpp"
 
 namespace rebound {
 namespace {
@@ -57,6 +60,48 @@ Json law_json(const StudyLaw& law, const std::vector<LawScore>& cells) {
           {"scores", scores}};
 }
 
+Json consistency_json(const ConsistencyFit& one, const Observations& all) {
+  Json ratios = Json::object();
+  for (const ObservableRatio& ratio : one.ratios) {
+    Json of_shots = Json::array();
+    for (std::size_t i = 0; i < ratio.of_shots.size(); ++i)
+      of_shots.push_back(
+          {{"speed_m_s", all.shots[i].impact.speed},
+           {"measured_over_modelled",
+            std::isfinite(ratio.of_shots[i]) ? Json(ratio.of_shots[i]) : Json(nullptr)}});
+    ratios[name_of(ratio.what)] = {
+        {"mean", ratio.mean}, {"scatter", ratio.scatter}, {"shots", of_shots}};
+  }
+  return {{"left_out", one.left_out ? Json(name_of(*one.left_out)) : Json(nullptr)},
+          {"reduced_chi_square", one.fit.reduced_chi_square()},
+          {"measured_over_modelled", ratios}};
+}
+
+Json gap_json(const ScalarGap& gap) {
+  return {{"fitted", gap.fitted}, {"unseen", optional_json(gap.unseen)}};
+}
+
+Json scalars_json(const ScalarDiagnosis& d) {
+  Json fits = Json::array({consistency_json(d.consistency.all, d.all)}), effects = Json::array();
+  for (const ConsistencyFit& one : d.consistency.without)
+    fits.push_back(consistency_json(one, d.all));
+  for (const EffectOnScalars& one : d.effects)
+    effects.push_back({{"effect", one.effect.name},
+                       {"family", name_of(one.family)},
+                       {"size", one.effect.size},
+                       {"parameters", one.effect.parameters},
+                       {"reduced_chi_square", one.reduced_chi_square},
+                       {"information_criterion", one.information_criterion}});
+  return {{"fits", fits},
+          {"unseen_speed_m_s", optional_json(d.unseen_speed)},
+          {"gap_before", gap_json(d.believed)},
+          {"gap_after", gap_json(d.extended)},
+          {"earns_a_name", earns_a_name(d)},
+          {"effects", effects},
+          {"cells", d.cells},
+          {"finer_cells", d.finer_cells}};
+}
+
 Json core_json(const CoreStudy& core) {
   Json shots = Json::array();
   for (const auto& shot : core.shots) shots.push_back(shot_json(shot));
@@ -70,7 +115,8 @@ Json core_json(const CoreStudy& core) {
           {"material_fit", fit_json(core.material.fit)},
           {"shots", shots},
           {"laws", laws},
-          {"diagnosis", to_json(core.diagnosis)}};
+          {"diagnosis", to_json(core.diagnosis)},
+          {"simulation", core.scalars ? scalars_json(*core.scalars) : Json(nullptr)}};
 }
 
 }  // namespace

@@ -50,6 +50,12 @@ report::Section matrix_section(const std::vector<CoreStudy>& cores);
 /// The chosen impact: force–deflection, deflection–time, scalars side by side.
 report::Section overlay_section(const std::vector<CoreStudy>& cores);
 
+/// The FE model against all scalars: which of them contradict each other; nothing where no core
+/// has been diagnosed yet.
+std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores);
+/// The same in one sentence for the first screen; empty where nothing stands out.
+std::string simulation_sentence(const std::vector<CoreStudy>& cores);
+
 /// FE against what it was fitted to, and against what it was not.
 report::Section check_section(const std::vector<CoreStudy>& cores);
 

@@ -38,6 +38,7 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
     least = *distance;
   }
   const auto followed = std::count_if(cores.begin(), cores.end(), fem_follows);
+  const std::string contradiction = simulation_sentence(cores);
   std::string text;
   if (nearest)
     text = fmt::format(
@@ -47,7 +48,8 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
   return text + fmt::format(
                     "the FE material itself follows the measured restitutions and contact "
                     "times within their uncertainty for {} of {} cores.",
-                    followed, cores.size());
+                    followed, cores.size()) +
+         (contradiction.empty() ? contradiction : " " + contradiction);
 }
 
 std::string range_of(std::vector<double> values) {

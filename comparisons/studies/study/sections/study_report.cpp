@@ -94,6 +94,7 @@ report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>
   page.lead = {restitution_matrix(cores), measured_verdicts(cores)};
   page.sections = {matrix_section(cores), overlay_section(cores)};
   for (auto& section : diagnosis_overview(cores, experiments)) page.sections.push_back(section);
+  for (auto& section : simulation_section(cores)) page.sections.push_back(section);
   page.sections.push_back(joined(check_section(cores), credibility_section(cores)));
   page.sections.push_back(joined(parameter_section(cores), quasistatic_section(cores)));
   if (!paper.empty()) {
