@@ -15,8 +15,7 @@ std::vector<FreeMaterialNumber> free_numbers(Material material) {
   auto numbers = material_numbers(material, reach);
   for (FreeMaterialNumber& number : numbers)
     if (number.what == MaterialUnknown::branch_ratio)
-      number.highest =
-          std::min(number.highest, std::max(most_ratio, number_of(material, number)));
+      number.highest = std::min(number.highest, std::max(most_ratio, number_of(material, number)));
   return numbers;
 }
 

@@ -107,8 +107,7 @@ SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice
                       const Observations& all, const Observations& seen, const Observations& unseen,
                       const RunControl& control, int cells) {
   const std::vector<Material> as_believed(all.balls.size(), believed.material);
-  const auto fem =
-      std::make_shared<const FemBelief>(believed, all, as_believed, cells, control);
+  const auto fem = std::make_shared<const FemBelief>(believed, all, as_believed, cells, control);
   const HypothesisFit first = fit_believed(seen, {.fem = fem, .effects = effects}, control);
   return settle_fem_at(first, all, seen, unseen, control);
 }

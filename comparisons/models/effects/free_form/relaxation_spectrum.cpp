@@ -1,3 +1,6 @@
+#include <array>
+
+#include "comparisons/models/effects/dissipative/prony_branch.hpp"
 #include "comparisons/models/effects/free_form/curve_points.hpp"
 
 namespace rebound {
@@ -14,6 +17,14 @@ EffectParameterCard ratio(const std::string& name, const std::string& sentence) 
           .fitted = true,
           .kind = ParameterKind::linear,
           .scale = 0.3};
+}
+
+/// The fast, the middle and the slow one.
+std::array<RelaxationBranch, 3> spectrum_of(const EffectChoice& choice) {
+  const double time = choice.parameters.at("relaxation_time");
+  return {{{.ratio = choice.parameters.at("fast_ratio"), .relaxation_time = time / apart},
+           {.ratio = choice.size, .relaxation_time = time},
+           {.ratio = choice.parameters.at("slow_ratio"), .relaxation_time = time * apart}}};
 }
 
 }  // namespace
@@ -43,16 +54,21 @@ Effect relaxation_spectrum_effect() {
                    .experiment = "Hold and relax: the spectrum is the decay of the force.",
                    .source = "generalised Maxwell model as a free spectrum, e.g. Tschoegl 1989",
                    .is_free_form = true},
-          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-            const double time = choice.parameters.at("relaxation_time");
-            Mechanisms& mechanisms = problem.model.mechanisms;
-            mechanisms.relaxation = {.ratio = choice.size, .relaxation_time = time};
-            mechanisms.further_relaxation = {
-                RelaxationBranch{.ratio = choice.parameters.at("fast_ratio"),
-                                 .relaxation_time = time / apart},
-                RelaxationBranch{.ratio = choice.parameters.at("slow_ratio"),
-                                 .relaxation_time = time * apart}};
-          }};
+          .to_lumped =
+              [](const EffectChoice& choice, LumpedProblem& problem) {
+                const auto [fast, middle, slow] = spectrum_of(choice);
+                Mechanisms& mechanisms = problem.model.mechanisms;
+                mechanisms.relaxation = middle;
+                mechanisms.further_relaxation = {fast, slow};
+              },
+          .to_fem =
+              [](const EffectChoice& choice, FemProblem& problem) {
+                for (const RelaxationBranch& one : spectrum_of(choice))
+                  if (one.ratio > 0.0)
+                    add_prony_branch(problem.material, {.ratio = one.ratio,
+                                                        .relaxation_time = one.relaxation_time,
+                                                        .relaxes = Relaxes::all});
+              }};
 }
 
 }  // namespace rebound
