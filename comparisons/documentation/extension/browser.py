@@ -101,11 +101,12 @@ class Browser(contextlib.AbstractContextManager):
                 raise RuntimeError(f"still not true after {PATIENCE_S} s: {expression}")
             time.sleep(0.05)
 
-    def picture(self, selector="html", index=0):
-        """PNG of the element of that place among those that the selector finds."""
+    def picture(self, element="document.documentElement", without=""):
+        """PNG of an element, given by JavaScript that finds it; `without`: style for the picture alone."""
         box = self.evaluate(f"""(async () => {{
-          const found = document.querySelectorAll({json.dumps(selector)})[{index}];
+          const found = {element};
           if (!found) return null;
+          document.head.append(Object.assign(document.createElement("style"), {{ textContent: {json.dumps(without)} }}));
           for (let e = found; e; e = e.parentElement) if (e.tagName === "DETAILS") e.open = true;
           found.scrollIntoView();
           await new Promise((resolve) => setTimeout(resolve, 400));
@@ -113,6 +114,6 @@ class Browser(contextlib.AbstractContextManager):
           return {{x: r.x + scrollX, y: r.y + scrollY, width: r.width, height: r.height}};
         }})()""")
         if not box:
-            raise RuntimeError(f"nothing is {selector} [{index}]")
+            raise RuntimeError(f"the page has nothing that is {element}")
         png = self.call("Page.captureScreenshot", clip={**box, "scale": 1}, captureBeyondViewport=True)
         return base64.b64decode(png["data"])

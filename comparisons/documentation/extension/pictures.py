@@ -1,10 +1,9 @@
 """Pictures of the reports that a page's commands wrote, taken by a browser while the page is read.
 
     .. picture:: fem/report.html
-       :select: figure          what to show: the element that this CSS selector finds
-       :index: 0                which of them
+       :titled: Force over      what to show: the first figure whose heading begins so
        :alt: what is to be seen
-       :width: 900              of the window in which the report is opened
+       :width: 760              of the window in which the report is opened
 
        Caption, one sentence.
 
@@ -12,6 +11,7 @@
 
 Each is taken light and dark; the whole report goes with the site and is linked.
 """
+import json
 import pathlib
 import re
 import shutil
@@ -26,6 +26,16 @@ from browser import Browser
 from tutorials import folder_of
 
 
+# A picture cannot be pressed.
+BUTTONS = ".modebar-container, button.copy { display: none }"
+
+
+def figure_titled(title):
+    """JavaScript that finds it."""
+    return (f"[...document.querySelectorAll('figure')].find((figure) => "
+            f"figure.querySelector('h3')?.textContent.startsWith({json.dumps(title)}))")
+
+
 class picture(nodes.General, nodes.Element):
     """Attributes: name (file without ending), report, alt, caption, page."""
 
@@ -37,8 +47,8 @@ class gallery(nodes.General, nodes.Element):
 class Picture(SphinxDirective):
     has_content = True
     required_arguments = 1
-    option_spec = {"select": directives.unchanged, "index": directives.nonnegative_int,
-                   "alt": directives.unchanged_required, "width": directives.positive_int}
+    option_spec = {"titled": directives.unchanged_required, "alt": directives.unchanged_required,
+                   "width": directives.positive_int}
 
     def run(self):
         app, page = self.env.app, self.env.docname
@@ -49,25 +59,24 @@ class Picture(SphinxDirective):
         copy = pathlib.Path(app.outdir, "_reports", place + ".html")
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(report, copy)
-        selector, index = self.options.get("select", "figure"), self.options.get("index", 0)
-        name = re.sub(r"\W+", "-", f"{place}-{selector}-{index}")
+        name = re.sub(r"\W+", "-", f"{place}-{self.options['titled']}")
         for dark in (False, True):
-            self.take(report, selector, index, dark,
+            self.take(report, dark,
                       pathlib.Path(app.outdir, "_pictures", f"{name}-{'dark' if dark else 'light'}.png"))
         node = picture(name=name, report=place + ".html", alt=self.options["alt"],
                        caption=" ".join(self.content), page=page)
         pictures_of(self.env).setdefault(page, []).append(node)
         return [node]
 
-    def take(self, report, selector, index, dark, file):
+    def take(self, report, dark, file):
         app = self.env.app
         if not hasattr(app, "rebound_browser"):
             app.rebound_browser = Browser(self.config.rebound_chromium)
-        app.rebound_browser.open(report, self.options.get("width", 900), dark)
+        app.rebound_browser.open(report, self.options.get("width", 760), dark)
         if app.rebound_browser.complaints:
             raise SphinxError(f"{report}: {app.rebound_browser.complaints}")
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(app.rebound_browser.picture(selector, index))
+        file.write_bytes(app.rebound_browser.picture(figure_titled(self.options["titled"]), without=BUTTONS))
 
 
 class Gallery(SphinxDirective):

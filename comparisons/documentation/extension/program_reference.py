@@ -85,13 +85,14 @@ def resolved(schema, root):
 
 def kind_of(schema):
     if "enum" in schema:
-        return " | ".join(str(value) for value in schema["enum"])
+        return " | ".join("null" if value is None else str(value) for value in schema["enum"])
     if "const" in schema:
         return str(schema["const"])
     if "x-allowed" in schema:
         return schema["x-allowed"]
     kind = schema.get("type", "one of several" if "anyOf" in schema or "oneOf" in schema else "anything")
-    return " or ".join(kind) if isinstance(kind, list) else kind
+    words = " or ".join(kind) if isinstance(kind, list) else kind
+    return f"{words} [{schema['x-unit']}]" if "x-unit" in schema else words
 
 
 def schema_rows(schema, root, path="", depth=0):
