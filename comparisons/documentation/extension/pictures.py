@@ -31,9 +31,13 @@ BUTTONS = ".modebar-container, button.copy { display: none }"
 
 
 def figure_titled(title):
-    """JavaScript that finds it."""
-    return (f"[...document.querySelectorAll('figure')].find((figure) => "
-            f"figure.querySelector('h3')?.textContent.startsWith({json.dumps(title)}))")
+    """JavaScript that finds it, with its legend where it has one to itself."""
+    return f"""(() => {{
+      const figure = [...document.querySelectorAll("figure")].find((one) =>
+        one.querySelector("h3")?.textContent.startsWith({json.dumps(title)}));
+      const group = figure?.closest(".figures");
+      return group?.querySelectorAll("figure").length === 1 ? group : figure;
+    }})()"""
 
 
 class picture(nodes.General, nodes.Element):
