@@ -16,7 +16,7 @@ from docutils import nodes
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 
-FIELDS = ("Valid", "Limit", "Caution", "Errors", "Source", "Cost", "Note")
+FIELDS = ("Valid", "Limit", "Caution", "Error", "Errors", "Result", "Source")
 log = logging.getLogger(__name__)
 
 
