@@ -9,11 +9,9 @@ def mathml(latex, inline):
     if not inline and "\\\\" in latex:
         latex = "\\begin{align*}" + latex + "\\end{align*}"
     try:
-        text = latex2mathml.tex2mathml(latex, inline=inline)
+        return latex2mathml.tex2mathml(latex, inline=inline)
     except SyntaxError as error:
         raise SphinxError(f"equation {latex!r}: {error}") from error
-    display = "inline" if inline else "block"
-    return text.replace("<math ", f'<math display="{display}" ', 1)
 
 
 def visit_inline(self, node):
