@@ -1,17 +1,30 @@
 #include "comparisons/inference/calibration/material_factors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rebound {
 namespace {
 
 constexpr double reach = 20.0;  // a factor, either way
+/// Of a branch over the long-term modulus. Beyond, a shorter time makes of it what the product of
+/// both does already, and a contact takes the more steps the stiffer the ball is at once.
+constexpr double most_ratio = 5.0;
+
+std::vector<FreeMaterialNumber> free_numbers(Material material) {
+  auto numbers = material_numbers(material, reach);
+  for (FreeMaterialNumber& number : numbers)
+    if (number.what == MaterialUnknown::branch_ratio)
+      number.highest =
+          std::min(number.highest, std::max(most_ratio, number_of(material, number)));
+  return numbers;
+}
 
 }  // namespace
 
 MaterialFactors::MaterialFactors(Material believed, const std::vector<Ball>& balls,
                                  std::vector<CalibrationParameter>& unknowns)
-    : believed_(std::move(believed)), numbers_(material_numbers(believed_, reach)) {
+    : believed_(std::move(believed)), numbers_(free_numbers(believed_)) {
   for (const Ball& ball : balls) {
     auto& own = places_.emplace_back();
     for (const FreeMaterialNumber& number : numbers_) {

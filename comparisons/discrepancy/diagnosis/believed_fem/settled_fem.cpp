@@ -105,10 +105,10 @@ std::vector<Material> materials_of(const HypothesisFit& fit, std::size_t balls) 
 
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
                       const Observations& all, const Observations& seen, const Observations& unseen,
-                      const RunControl& control) {
+                      const RunControl& control, int cells) {
   const std::vector<Material> as_believed(all.balls.size(), believed.material);
   const auto fem =
-      std::make_shared<const FemBelief>(believed, all, as_believed, search_cells, control);
+      std::make_shared<const FemBelief>(believed, all, as_believed, cells, control);
   const HypothesisFit first = fit_believed(seen, {.fem = fem, .effects = effects}, control);
   return settle_fem_at(first, all, seen, unseen, control);
 }
@@ -118,9 +118,10 @@ SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
                          const RunControl& control) {
   const std::vector<Material> materials = materials_of(near, all.balls.size());
   FemProblem fitted = near.model->fem()->problem();
+  const int cells = fitted.cells;
   fitted.material = materials.front();
-  const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, search_cells, control);
-  const FemBelief fine(fitted, all, materials, finer * search_cells, control);
+  const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
+  const FemBelief fine(fitted, all, materials, finer * cells, control);
   const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = near.effects}, control);
   MeshComparison comparison(fit, fine);
   comparison.compare(seen);

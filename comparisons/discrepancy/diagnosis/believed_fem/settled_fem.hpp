@@ -33,7 +33,7 @@ inline constexpr int search_cells = 300;
 /// Errors: those of FemBelief and fit_believed(); Error(interrupted).
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
                       const Observations& all, const Observations& seen, const Observations& unseen,
-                      const RunControl& control);
+                      const RunControl& control, int cells = search_cells);
 
 /// The same for a model that has been fitted already, with the effects it has: a mesh errs
 /// otherwise in a ball that loses energy than in one that does not. `seen` and `unseen` are without

@@ -1,0 +1,87 @@
+#include "comparisons/discrepancy/consistency/effects_on_scalars.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr std::size_t looked_at = 8, searched_to_the_end = 2;
+
+/// The effects that promise most, by the first order or by their grid.
+std::vector<std::string> promising(const EffectSensitivities& around, double chi_square) {
+  std::vector<std::pair<double, std::string>> gains;
+  for (const EffectScore& score : around.scores())
+    gains.emplace_back(
+        std::max(score.gain_chi_square, chi_square - around.best_probe(score.name)), score.name);
+  std::stable_sort(gains.begin(), gains.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(looked_at, gains.size()); ++k)
+    names.push_back(gains[k].second);
+  return names;
+}
+
+using Fits = std::vector<std::optional<HypothesisFit>>;
+
+/// Each fit by itself; one that has no answer is left out.
+Fits fit_each(std::size_t count, const RunControl& control,
+              const std::function<HypothesisFit(std::size_t)>& fit) {
+  Fits fits(count);
+  in_parallel(count, [&](std::size_t k) {
+    if (control.interrupted && control.interrupted())
+      throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
+    try {
+      fits[k] = fit(k);
+    } catch (const Error& error) {
+      // A search may end at numbers that the effect cannot have.
+      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
+    }
+  });
+  return fits;
+}
+
+std::vector<HypothesisFit> best_first(Fits fits) {
+  std::vector<HypothesisFit> all;
+  for (auto& fit : fits)
+    if (fit) all.push_back(std::move(*fit));
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.information_criterion < b.information_criterion;
+  });
+  return all;
+}
+
+}  // namespace
+
+std::vector<EffectOnScalars> try_effects(const Observations& seen, const HypothesisFit& believed,
+                                         const RunControl& control) {
+  const RunControl within{.interrupted = control.interrupted};
+  EffectSensitivities around(seen, believed, absent_effects(believed.effects), GridDetail::coarse);
+  around.look_for_starts();
+  const std::vector<std::string> names = promising(around, believed.chi_square);
+  std::vector<HypothesisFit> fits =
+      best_first(fit_each(names.size(), control, [&](std::size_t k) {
+        return fit_extended(seen, believed, around.starts(names[k], 1), SearchEffort::first_look,
+                            within);
+      }));
+  const std::size_t further = std::min(searched_to_the_end, fits.size());
+  Fits ended = fit_each(further, control,
+                        [&](std::size_t k) { return fit_further(seen, fits[k], within); });
+  for (std::size_t k = further; k < fits.size(); ++k) ended.emplace_back(std::move(fits[k]));
+  std::vector<EffectOnScalars> tried;
+  for (const HypothesisFit& fit : best_first(std::move(ended)))
+    if (fit.chi_square < believed.chi_square)
+      tried.push_back({.effect = fit.effects.back(),
+                       .family = find_effect(fit.effects.back().name).card.family,
+                       .chi_square = fit.chi_square,
+                       .reduced_chi_square = fit.reduced_chi_square(),
+                       .information_criterion = fit.information_criterion});
+  return tried;
+}
+
+}  // namespace rebound
