@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 #include "comparisons/accuracy/tier_comparison/compare_file.hpp"
 #include "comparisons/app/commands.hpp"
+#include "comparisons/app/output_schemas.hpp"
 #include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
 #include "comparisons/evaluation/atlas/atlas_text.hpp"
 #include "comparisons/evaluation/benchmark/benchmark_file.hpp"
@@ -48,16 +51,33 @@ const std::vector<Format>& formats() {
   return list;
 }
 
-ExitCode run_schema(const Session& session, const std::string& name) {
+struct Asked {
+  std::string name;
+  bool output = false;
+};
+
+Json schema_of_file(const std::string& name) {
+  std::vector<std::string> names;
   for (const Format& format : formats()) {
-    if (format.name != name) continue;
-    const std::string text = dump(format.schema());
-    if (session.out.empty()) {
-      fmt::print("{}", text);
-    } else {
-      make_writable_folder(session.out);
-      write_file_atomically(session.out / (name + ".schema.json"), text);
-    }
+    if (format.name == name) return format.schema();
+    names.push_back(format.name);
+  }
+  throw Error(ExitCode::bad_input, "no file is of this format; --output has what it prints",
+              {.file = {},
+               .key = "FORMAT",
+               .value = name,
+               .allowed = fmt::format("{}", fmt::join(names, ", "))});
+}
+
+ExitCode run_schema(const Session& session, const Asked& asked) {
+  const std::string text =
+      dump(asked.output ? output_schema(asked.name) : schema_of_file(asked.name));
+  if (session.out.empty()) {
+    fmt::print("{}", text);
+  } else {
+    make_writable_folder(session.out);
+    const std::string kind = asked.output ? ".output.schema.json" : ".schema.json";
+    write_file_atomically(session.out / (asked.name + kind), text);
   }
   return ExitCode::done;
 }
@@ -67,10 +87,18 @@ ExitCode run_schema(const Session& session, const std::string& name) {
 Action declare_schema(CLI::App& command) {
   std::vector<std::string> names;
   for (const Format& format : formats()) names.push_back(format.name);
-  const auto name = std::make_shared<std::string>();
-  command.add_option("FORMAT", *name, "Which file")->required()->check(CLI::IsMember(names));
+  for (const Command& other : commands())
+    if (std::find(names.begin(), names.end(), other.name) == names.end())
+      names.push_back(other.name);
+  names.emplace_back("error");
+  const auto asked = std::make_shared<Asked>();
+  command.add_option("FORMAT", asked->name, "Which file; of --output: which command")
+      ->required()
+      ->check(CLI::IsMember(names));
+  command.add_flag("--output", asked->output,
+                   "Of what the command prints under --json; error: where it fails");
   command.footer(exit_code_help());
-  return [name](const Session& session) { return run_schema(session, *name); };
+  return [asked](const Session& session) { return run_schema(session, *asked); };
 }
 
 }  // namespace rebound

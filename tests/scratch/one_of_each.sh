@@ -37,7 +37,8 @@ changed="$({ diff -rq "$SOURCE" "$SCRATCH_SOURCE" --exclude=.git --exclude='buil
 changed="$changed
 generated/lumped/laws/law_headers.hpp
 generated/fem/materials/elastic_model_headers.hpp
-generated/fem/interface/interface_stamp.hpp"
+generated/fem/interface/interface_stamp.hpp
+comparisons/app/stored_schemas.cpp"
 ninja -C "$BUILD" -t deps | awk -v source="$SOURCE/" -v build="$BUILD/" -v changed="$changed" '
   BEGIN { n = split(changed, list, "\n"); for (i = 1; i <= n; ++i) set[list[i]] = 1 }
   /^[^ ]/ { object = $1; sub(/:$/, "", object); next }

@@ -16,6 +16,7 @@ battery() { "$build/$1" --gtest_filter="$2" >battery.txt || { cat battery.txt >&
 says my-command --help
 says 'Says a word back' my-command --help
 says '"word": "hello"' my-command hello --json
+says 'rebound my-command' schema my-command --output
 for word in my-spring my-effect my-formula; do says "$word" lumped --help; says "$word" schema lumped; done
 for word in my-solid my-effect; do says "$word" fem --help; says "$word" schema fem; done
 says my-spring calibrate --help

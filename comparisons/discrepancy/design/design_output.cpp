@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+
 namespace rebound {
 namespace {
 
@@ -13,10 +15,8 @@ Json or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-std::string size_text(const std::optional<double>& size, const std::string& effect) {
-  if (!size) return "-";
-  const std::string unit = size_unit(find_effect(effect).card);
-  return fmt::format("{:.3g}{}{}", *size, unit.empty() ? "" : " ", unit);
+std::string size_or_none(const std::optional<double>& size, const std::string& effect) {
+  return size ? size_text(find_effect(effect).card, *size) : "-";
 }
 
 std::string rival_text(const FindableEffect& effect) {
@@ -37,8 +37,8 @@ constexpr const char* explanation =
 std::string best_change(const TestDesign& design) {
   if (design.changes.empty()) return {};
   const DesignChange& best = design.changes.front();
-  return fmt::format("What helps most: {}. It makes the errors of the sizes {:.2f} times as large.",
-                     best.what, best.size_error_ratio);
+  return fmt::format("What helps most: {}. It leaves {:.0f} % of the errors of the sizes.",
+                     best.what, 100.0 * best.size_error_ratio);
 }
 
 }  // namespace
@@ -73,13 +73,13 @@ std::string to_text(const TestDesign& design) {
                       "told apart from", "nearest rival (cosine)");
   for (const FindableEffect& one : design.effects)
     text += fmt::format("{:<24} {:<12} {:>16} {:>16}  {}\n", one.name, family_of(one.name),
-                        size_text(one.found, one.name), size_text(one.told_apart, one.name),
+                        size_or_none(one.found, one.name), size_or_none(one.told_apart, one.name),
                         rival_text(one));
-  text += "\nchange of the plan: errors of the sizes, new over old\n";
+  text += "\nchange of the plan: what is left of the errors of the sizes\n";
   for (const DesignChange& one : design.changes) {
-    text += fmt::format("{:<52} {:.2f}", one.what, one.size_error_ratio);
+    text += fmt::format("{:<52} {:3.0f} %", one.what, 100.0 * one.size_error_ratio);
     if (!one.helps_most.empty())
-      text += fmt::format("   most for {} ({:.2f})", one.helps_most, one.smallest_ratio);
+      text += fmt::format("   most for {} ({:.0f} %)", one.helps_most, 100.0 * one.smallest_ratio);
     text += "\n";
   }
   return text;
@@ -96,23 +96,23 @@ report::Report design_report(const TestDesign& design, const std::string& name) 
                         .rows = {}};
   for (const FindableEffect& one : design.effects)
     effects.rows.push_back({report::text_cell(one.name), report::text_cell(family_of(one.name)),
-                            report::text_cell(size_text(one.found, one.name)),
-                            report::text_cell(size_text(one.told_apart, one.name)),
+                            report::text_cell(size_or_none(one.found, one.name)),
+                            report::text_cell(size_or_none(one.told_apart, one.name)),
                             report::text_cell(rival_text(one))});
   report::Table changes{.title = "What a change of the plan does",
                         .caption =
-                            "Errors of the sizes, new over old, as the geometric mean over "
+                            "What is left of the errors of the sizes, as the geometric mean over "
                             "all effects and for the effect that gains most.",
                         .columns = {{"change", "", Kind::text, {}},
-                                    {"errors", "1", Kind::number, report::Origin::predicted},
+                                    {"errors", "%", Kind::number, report::Origin::predicted},
                                     {"gains most", "", Kind::text, {}},
-                                    {"its error", "1", Kind::number, report::Origin::predicted}},
+                                    {"its error", "%", Kind::number, report::Origin::predicted}},
                         .rows = {}};
   for (const DesignChange& one : design.changes)
     changes.rows.push_back({report::text_cell(one.what),
-                            report::number_cell(one.size_error_ratio, 2),
+                            report::number_cell(100.0 * one.size_error_ratio, 2),
                             report::text_cell(one.helps_most.empty() ? "-" : one.helps_most),
-                            report::number_cell(one.smallest_ratio, 2)});
+                            report::number_cell(100.0 * one.smallest_ratio, 2)});
   return {.title = "Design of a test",
           .subtitle = name,
           .headline = best_change(design),

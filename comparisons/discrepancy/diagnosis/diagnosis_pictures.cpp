@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/residual_pictures.hpp"
+
 namespace rebound {
 namespace {
 
@@ -192,16 +194,21 @@ void add_pictures(const Diagnosis& d, report::Section& section) {
                        "No fit saw this shot. Points with one standard deviation of the noise.",
                        d.unseen_before->force[i],
                        d.unseen_after ? &d.unseen_after->force[i] : nullptr, Origin::predicted));
+    section.blocks.push_back(residual_figure(shot, d.unseen_before->force[i],
+                                             d.unseen_after ? &d.unseen_after->force[i] : nullptr,
+                                             Origin::predicted));
   }
   for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
     const MeasuredImpact& shot = d.seen->shots[i];
     if (!shot.has_history()) continue;
     const auto with =
         after ? after->model->force_at(after->values, i, shot.trace.time) : std::vector<double>{};
-    section.blocks.push_back(history_figure(
-        shot, "Fitted: " + shot.label, "Points with one standard deviation of the noise.",
-        before.model->force_at(before.values, i, shot.trace.time), after ? &with : nullptr,
-        Origin::fitted));
+    const auto without = before.model->force_at(before.values, i, shot.trace.time);
+    const std::vector<double>* fitted = after ? &with : nullptr;
+    section.blocks.push_back(history_figure(shot, "Fitted: " + shot.label,
+                                            "Points with one standard deviation of the noise.",
+                                            without, fitted, Origin::fitted));
+    section.blocks.push_back(residual_figure(shot, without, fitted, Origin::fitted));
   }
 }
 

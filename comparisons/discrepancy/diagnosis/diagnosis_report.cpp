@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
+#include "comparisons/io/results/key_words.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 
 namespace rebound {
@@ -59,10 +60,12 @@ std::string sizes_of(const HypothesisFit& fit) {
     }
     const double size = fit.effects[k].size,
                  error = fit.search.estimates[unknowns[0]].standard_error;
-    const bool relative = has_logarithmic_size(find_effect(fit.effects[k].name).card);
+    const EffectCard& card = find_effect(fit.effects[k].name).card;
+    const bool relative = has_logarithmic_size(card);
+    const std::string unit = behind_number(size_unit(card));
     text += std::isfinite(error)
-                ? fmt::format("{:.3g} ± {:.2g}", size, relative ? size * error : error)
-                : fmt::format("{:.3g}, not identifiable", size);
+                ? fmt::format("{:.3g} ± {:.2g}{}", size, relative ? size * error : error, unit)
+                : fmt::format("{:.3g}{}, not identifiable", size, unit);
   }
   return text;
 }
@@ -70,12 +73,12 @@ std::string sizes_of(const HypothesisFit& fit) {
 report::Table candidate_table(const Diagnosis& d) {
   report::Table table{.title = "Effects that were tried",
                       .caption =
-                          "Size in SI with one standard error. ΔBIC: over the best of all; "
+                          "Size with one standard error. ΔBIC: over the best of all; "
                           "left: largest further Δχ² of any other effect, to be below the "
                           "limit beside it; not looked for where χ² is too large already or the "
                           "criterion beyond reach of the best.",
                       .columns = {{"effect", "", Kind::text, {}},
-                                  {"size", "SI", Kind::text, Origin::fitted},
+                                  {"size", "as named", Kind::text, Origin::fitted},
                                   {"χ² / dof", "1", Kind::number, {}},
                                   {"ΔBIC", "1", Kind::number, {}},
                                   {"left", "1", Kind::number, {}},
@@ -105,13 +108,14 @@ report::Table excluded_table(const Diagnosis& d) {
                           "beside it.",
                       .columns = {{"effect", "", Kind::text, {}},
                                   {"size", "as named", Kind::number, Origin::derived},
-                                  {"further numbers, SI", "", Kind::text, {}}},
+                                  {"further numbers", "", Kind::text, {}}},
                       .rows = {}};
   for (const auto& e : d.excluded) {
     std::string over;
     for (const auto& range : e.over)
-      over += fmt::format("{}{} {:.3g} to {:.3g}", over.empty() ? "" : ", ", range.parameter,
-                          range.lowest, range.highest);
+      over += fmt::format("{}{} {:.3g} to {:.3g}{}", over.empty() ? "" : ", ", range.parameter,
+                          range.lowest, range.highest,
+                          behind_number(parameter_unit(find_effect(e.name).card, range.parameter)));
     table.rows.push_back({text_cell(e.name), text_cell(size_text(find_effect(e.name).card, e.size)),
                           text_cell(over)});
   }
@@ -124,14 +128,15 @@ report::Table check_table(const std::string& title, const std::string& caption,
                       .caption = caption,
                       .columns = {{"check", "", Kind::text, {}},
                                   {"of", "", Kind::text, {}},
-                                  {"measured", "SI", Kind::number, Origin::measured},
-                                  {"expected", "SI", Kind::number, Origin::derived},
+                                  {"measured", "as named", Kind::number, Origin::measured},
+                                  {"expected", "as named", Kind::number, Origin::derived},
                                   {"deviation", "σ", Kind::number, Origin::derived},
                                   {"mended by", "", Kind::text, {}}},
                       .rows = {}};
   for (const DataCheck& one : checks)
-    table.rows.push_back({text_cell(one.what), text_cell(one.of), number_cell(one.measured, 4),
-                          number_cell(one.expected, 4),
+    table.rows.push_back({text_cell(one.what), text_cell(one.of),
+                          text_cell(fmt::format("{:.4g}{}", one.measured, behind_number(one.unit))),
+                          text_cell(fmt::format("{:.4g}{}", one.expected, behind_number(one.unit))),
                           text_cell(fmt::format("{:+.1f}", one.deviations())),
                           text_cell(one.mended_by)});
   return table;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/io/toml/units.hpp"
+
 namespace rebound {
 namespace {
 
@@ -20,6 +22,12 @@ std::string size_text(const EffectCard& card, double size) {
   if (!unit.empty()) return fmt::format("{:.3g} {}", size, unit);
   const bool share = card.range.highest <= 1.0;
   return share ? fmt::format("{:.3g} %", 100 * size) : fmt::format("{:.3g}", size);
+}
+
+std::string parameter_unit(const EffectCard& card, const std::string& parameter) {
+  for (const EffectParameterCard& one : card.parameters)
+    if (one.name == parameter) return unit_name(one.dimension);
+  return {};
 }
 
 std::string headline(const Diagnosis& d) {

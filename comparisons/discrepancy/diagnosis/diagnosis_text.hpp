@@ -15,6 +15,9 @@ std::string missing_force_sentence(const Diagnosis& diagnosis);
 /// A size of an effect with its unit; one that cannot exceed 1 is a share, in per cent.
 std::string size_text(const EffectCard& card, double size);
 
+/// Unit of a further number of an effect; empty: a pure number.
+std::string parameter_unit(const EffectCard& card, const std::string& parameter);
+
 /// One sentence: verdict, name, sizes, gap.
 std::string headline(const Diagnosis& diagnosis);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/io/results/key_words.hpp"
+
 namespace rebound {
 namespace {
 
@@ -45,9 +47,11 @@ report::Table number_table(const Inspection& found) {
       .columns = {{"shot"}},
       .rows = {}};
   const std::vector<std::string> keys = keys_of(found);
-  for (const std::string& key : keys)
-    table.columns.push_back(
-        {key, "SI", Kind::number, key.starts_with("stated") ? Origin::measured : Origin::derived});
+  for (const std::string& key : keys) {
+    const KeyWords words = words_of_key(key);
+    table.columns.push_back({words.quantity, words.unit.empty() ? "1" : words.unit, Kind::number,
+                             key.starts_with("stated") ? Origin::measured : Origin::derived});
+  }
   for (const InspectedShot& shot : found.shots) {
     std::vector<report::TableCell> row{report::text_cell(shot.label)};
     for (const std::string& key : keys) {
@@ -113,15 +117,16 @@ report::Table data_check_table(const Inspection& found) {
                              limit),
       .columns = {{"check"},
                   {"of"},
-                  {"measured", "SI", Kind::number, Origin::measured},
-                  {"expected", "SI", Kind::number, Origin::derived},
+                  {"measured", "as named", Kind::number, Origin::measured},
+                  {"expected", "as named", Kind::number, Origin::derived},
                   {"deviation", "σ", Kind::number, Origin::derived},
                   {"mended by"}},
       .rows = {}};
   for (const DataCheck& one : found.checks)
     table.rows.push_back(
         {report::text_cell(one.what), report::text_cell(one.of),
-         report::number_cell(one.measured, 4), report::number_cell(one.expected, 4),
+         report::text_cell(fmt::format("{:.4g}{}", one.measured, behind_number(one.unit))),
+         report::text_cell(fmt::format("{:.4g}{}", one.expected, behind_number(one.unit))),
          report::text_cell(fmt::format("{:+.1f}", one.deviations()),
                            std::abs(one.deviations()) > limit ? Verdict::bad : Verdict::good),
          report::text_cell(one.mended_by)});
@@ -138,16 +143,20 @@ report::Table repeat_table(const Inspection& found) {
       .columns = {{"number"},
                   {"speed", "m/s", Kind::number},
                   {"shots", "1", Kind::number},
-                  {"mean", "SI", Kind::number, Origin::derived},
-                  {"scatter", "SI", Kind::number, Origin::derived},
-                  {"stated error", "SI", Kind::number}},
+                  {"mean", "as named", Kind::number, Origin::derived},
+                  {"scatter", "as named", Kind::number, Origin::derived},
+                  {"stated error", "as named", Kind::number}},
       .rows = {}};
-  for (const RepeatedSpeed& one : found.repeats)
-    table.rows.push_back({report::text_cell(one.key), report::number_cell(one.speed, 4),
-                          report::text_cell(std::to_string(one.count)),
-                          report::number_cell(one.mean, 4), report::number_cell(one.scatter, 2),
-                          one.typical_error ? report::number_cell(*one.typical_error, 2)
-                                            : report::text_cell("unknown")});
+  for (const RepeatedSpeed& one : found.repeats) {
+    const KeyWords words = words_of_key(one.key);
+    const auto cell = [&](double value, int digits) {
+      return report::text_cell(fmt::format("{:.{}g}{}", value, digits, behind_number(words.unit)));
+    };
+    table.rows.push_back(
+        {report::text_cell(words.quantity), report::number_cell(one.speed, 4),
+         report::text_cell(std::to_string(one.count)), cell(one.mean, 4), cell(one.scatter, 2),
+         one.typical_error ? cell(*one.typical_error, 2) : report::text_cell("unknown")});
+  }
   return table;
 }
 

@@ -39,7 +39,7 @@ report::Table row_table(const std::string& title, const std::vector<Row>& rows) 
          report::text_cell(as_printed(row, row.computed, 1)),
          report::text_cell(fmt::format("{} to {}", as_printed(row, row.range.low, 1),
                                        as_printed(row, row.range.high, 1))),
-         report::text_cell(row.key.unit),
+         report::text_cell(row.key.unit == "1" ? "–" : row.key.unit),
          report::text_cell(name_of(row.verdict), mark_of(row.verdict))});
   return table;
 }

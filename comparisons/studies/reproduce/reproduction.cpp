@@ -121,7 +121,7 @@ std::string to_text(const Reproduction& reproduction) {
     text += fmt::format("{:<16}{:<12}{:<17}{:<54}{:>9}{:>11}  {:<20}{}\n", name_of(row.verdict),
                         row.key.table, scope_of(row.key.core, row.key.speed), row.key.quantity,
                         as_printed(row, row.published.value), as_printed(row, row.computed, 1),
-                        range, row.key.unit);
+                        range, row.key.unit == "1" ? "-" : row.key.unit);
   }
   text += fmt::format("\nFindings ({})\n", reproduction.findings.size());
   for (const Finding& finding : reproduction.findings)
