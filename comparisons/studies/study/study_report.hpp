@@ -55,6 +55,8 @@ report::Section overlay_section(const std::vector<CoreStudy>& cores);
 std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores);
 /// The same in one sentence for the first screen; empty where nothing stands out.
 std::string simulation_sentence(const std::vector<CoreStudy>& cores);
+/// Which kind of observable of one ball contradicts the others; empty where none does.
+std::string contradiction_of(const CoreStudy& core);
 
 /// FE against what it was fitted to, and against what it was not.
 report::Section check_section(const std::vector<CoreStudy>& cores);

@@ -45,10 +45,11 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
         "Of the laws, the one nearest to the FE force history is {}, off by {:.1f} % of the peak "
         "force over {} impacts; ",
         cores.front().laws[*nearest].label, 100 * least, impacts);
-  return text + fmt::format(
-                    "the FE material itself follows the measured restitutions and contact "
-                    "times within their uncertainty for {} of {} cores.",
-                    followed, cores.size()) +
+  return text +
+         fmt::format(
+             "the FE material itself follows the measured restitutions and contact "
+             "times within their uncertainty for {} of {} cores.",
+             followed, cores.size()) +
          (contradiction.empty() ? contradiction : " " + contradiction);
 }
 

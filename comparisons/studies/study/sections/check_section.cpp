@@ -119,14 +119,15 @@ report::Notice misfit_notice(const CoreStudy& core) {
             fmt::format("Core {}: the material follows restitution and contact time within their "
                         "uncertainty (reduced χ² {:.2g}).",
                         core.label, core.material.fit.reduced_chi_square)};
+  const std::string contradiction = contradiction_of(core);
   return {report::Notice::Level::failure,
           fmt::format("Core {}: this material cannot follow the measurement (reduced χ² {:.0f}, "
                       "noise 1).",
                       core.label, core.material.fit.reduced_chi_square),
           fmt::format("Furthest off: {}. One set of branches, the same at all speeds, is what was "
                       "fitted; damping that depends on amplitude, a plate that moves or air are "
-                      "not in it. Laws calibrated to this FE model share its error.",
-                      worst)};
+                      "not in it. Laws calibrated to this FE model share its error.{}{}",
+                      worst, contradiction.empty() ? "" : " ", contradiction)};
 }
 
 }  // namespace

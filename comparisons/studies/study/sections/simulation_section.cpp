@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/io/results/key_words.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
@@ -11,6 +12,8 @@ namespace rebound {
 namespace {
 
 using Kind = report::TableColumn::Kind;
+
+constexpr double agreeing = 4.0;  // reduced χ²: two standard deviations each
 
 std::string in_words(ObservedQuantity what) {
   switch (what) {
@@ -23,17 +26,19 @@ std::string in_words(ObservedQuantity what) {
   }
 }
 
-/// "26 % longer than", of measured over modelled.
-std::string against(const ObservableRatio& ratio) {
-  const bool above = ratio.mean > 1.0;
-  const bool is_time = ratio.what == ObservedQuantity::contact_time;
-  return fmt::format("{:.0f} % {} than", 100 * std::abs(ratio.mean - 1.0),
-                     is_time ? (above ? "longer" : "shorter") : (above ? "larger" : "smaller"));
+const char* direction_in_words(ObservedQuantity what, bool above) {
+  if (what == ObservedQuantity::contact_time) return above ? "longer" : "shorter";
+  return above ? "larger" : "smaller";
 }
 
-/// One kind whose absence lets the rest agree: within what two standard deviations each allow.
+/// "26 % longer than", of measured over modelled.
+std::string against(const ObservableRatio& ratio) {
+  return fmt::format("{:.0f} % {} than", 100 * std::abs(ratio.mean - 1.0),
+                     direction_in_words(ratio.what, ratio.mean > 1.0));
+}
+
+/// One kind whose absence lets the rest agree.
 const ConsistencyFit* odd_one_out(const ScalarDiagnosis& d) {
-  constexpr double agreeing = 4.0;
   const ConsistencyFit* best = d.consistency.best();
   if (d.consistency.all.fit.reduced_chi_square() <= agreeing) return nullptr;
   return best && best->fit.reduced_chi_square() <= agreeing ? best : nullptr;
@@ -69,7 +74,7 @@ report::Notice finding_of(const CoreStudy& core) {
         "{:.2g}); without {} the others agree ({:.2g}), and it was measured {} they allow ({}).",
         core.label, in_words(*odd->left_out), all, in_words(*odd->left_out),
         odd->fit.reduced_chi_square(), against(ratio), fmt::join(shots, ", "));
-  } else if (all <= 4.0) {
+  } else if (all <= agreeing) {
     notice.text = fmt::format("Core {}: one material holds all scalars (reduced χ² {:.2g}).",
                               core.label, all);
   } else {
@@ -92,7 +97,7 @@ report::Matrix contradiction_matrix(const std::vector<CoreStudy>& cores) {
                         .quantity = "measured over simulated, less one",
                         .unit = "%",
                         .row_heading = "left out",
-                        .hatching = {},
+                        .hatching = "the rest does not agree without it either",
                         .scale = {report::ColourScale::Kind::diverging, 40.0},
                         .overlays = "impacts",
                         .columns = {},
@@ -112,6 +117,7 @@ report::Matrix contradiction_matrix(const std::vector<CoreStudy>& cores) {
             if (!std::isfinite(error)) continue;
             cell = {.value = error,
                     .text = fmt::format("{:+.0f}", error),
+                    .hatched = fit.fit.reduced_chi_square() > agreeing,
                     .overlay = overlay_key(core, core.shots[i]),
                     .highlight = {}};
           }
@@ -120,6 +126,12 @@ report::Matrix contradiction_matrix(const std::vector<CoreStudy>& cores) {
     }
   }
   return matrix;
+}
+
+/// "+16 to +26 %".
+std::string percent_range(const std::vector<double>& percent) {
+  const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
+  return fmt::format("{:+.0f} to {:+.0f} %", *least, *most);
 }
 
 report::Table fit_table(const std::vector<CoreStudy>& cores) {
@@ -156,18 +168,21 @@ report::Table effect_table(const std::vector<CoreStudy>& cores) {
                       .columns = {{"ball", "", Kind::text, {}},
                                   {"effect", "", Kind::text, {}},
                                   {"family", "", Kind::text, {}},
-                                  {"size", "SI", Kind::number, report::Origin::fitted},
+                                  {"size", "", Kind::text, report::Origin::fitted},
                                   {"reduced χ²", "noise = 1", Kind::number, {}},
                                   {"criterion", "1", Kind::number, {}}},
                       .rows = {}};
   for (const CoreStudy& core : cores)
     if (core.scalars)
       for (const EffectOnScalars& one : core.scalars->effects)
-        table.rows.push_back(
-            {report::text_cell("core " + core.label), report::text_cell(one.effect.name),
-             report::text_cell(name_of(one.family)), report::number_cell(one.effect.size, 3),
-             report::number_cell(one.reduced_chi_square, 3),
-             report::number_cell(one.information_criterion, 4)});
+        table.rows.push_back({report::text_cell("core " + core.label),
+                              report::text_cell(one.effect.name),
+                              report::text_cell(name_of(one.family)),
+                              report::text_cell(fmt::format(
+                                  "{:.3g}{}", one.effect.size,
+                                  behind_number(size_unit(find_effect(one.effect.name).card)))),
+                              report::number_cell(one.reduced_chi_square, 3),
+                              report::number_cell(one.information_criterion, 4)});
   return table;
 }
 
@@ -175,7 +190,7 @@ report::Table effect_table(const std::vector<CoreStudy>& cores) {
 
 std::string simulation_sentence(const std::vector<CoreStudy>& cores) {
   std::vector<std::string> labels;
-  std::vector<double> ratios;
+  std::vector<double> slowest, fastest;
   std::optional<ObservedQuantity> kind;
   std::size_t diagnosed = 0;
   for (const CoreStudy& core : cores) {
@@ -185,14 +200,25 @@ std::string simulation_sentence(const std::vector<CoreStudy>& cores) {
     if (!odd || (kind && *kind != *odd->left_out)) continue;
     kind = *odd->left_out;
     labels.push_back(core.label);
-    ratios.push_back(100 * (odd->of(*kind).mean - 1.0));
+    const std::vector<double>& shots = odd->of(*kind).of_shots;  // in the order of the data
+    slowest.push_back(100 * (shots.front() - 1.0));
+    fastest.push_back(100 * (shots.back() - 1.0));
   }
   if (!kind) return {};
-  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   return fmt::format(
-      "Held against all scalars, the FE model finds that {} contradicts the rest for {} of {} "
-      "cores: measured {:+.0f} to {:+.0f} % beyond what the others allow.",
-      in_words(*kind), labels.size(), diagnosed, *least, *most);
+      "Held against all scalars at once, the FE model says that {} contradicts the rest for {} of "
+      "{} cores: measured over what the others allow it is {} at the lowest speed and {} at the "
+      "highest.",
+      in_words(*kind), labels.size(), diagnosed, percent_range(slowest), percent_range(fastest));
+}
+
+std::string contradiction_of(const CoreStudy& core) {
+  const ConsistencyFit* odd = core.scalars ? odd_one_out(*core.scalars) : nullptr;
+  if (!odd) return {};
+  return fmt::format(
+      "The scalars of this ball contradict each other: without {} one material holds all others "
+      "(reduced χ² {:.2g}).",
+      in_words(*odd->left_out), odd->fit.reduced_chi_square());
 }
 
 std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores) {
