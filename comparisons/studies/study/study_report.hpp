@@ -14,8 +14,8 @@ namespace rebound {
 /// one core at one speed, what was measured, which change closes it.
 std::string headline(const std::vector<CoreStudy>& cores);
 
-/// The three sentences of the first screen: the published law at its worst, which law is nearest
-/// to FE and whether FE follows the data, what the diagnosis says and the gap before and after.
+/// The sentences of the first screen: the published law at its worst, which law is nearest to FE
+/// and whether FE follows the data, which observables contradict each other, what the diagnosis says and the gap before and after.
 std::string answer(const std::vector<CoreStudy>& cores);
 
 /// What a diagnosis found, in the words that stand behind "the diagnosis names".

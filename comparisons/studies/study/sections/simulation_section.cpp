@@ -207,7 +207,7 @@ std::string simulation_sentence(const std::vector<CoreStudy>& cores) {
   if (!kind) return {};
   return fmt::format(
       "Held against all scalars at once, the FE model says that {} contradicts the rest for {} of "
-      "{} cores: measured over what the others allow it is {} at the lowest speed and {} at the "
+      "{} cores: it exceeds what the others allow by {} at the lowest speed, and by {} at the "
       "highest.",
       in_words(*kind), labels.size(), diagnosed, percent_range(slowest), percent_range(fastest));
 }
