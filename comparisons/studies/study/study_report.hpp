@@ -15,7 +15,8 @@ namespace rebound {
 std::string headline(const std::vector<CoreStudy>& cores);
 
 /// The sentences of the first screen: the published law at its worst, which law is nearest to FE
-/// and whether FE follows the data, which observables contradict each other, what the diagnosis says and the gap before and after.
+/// and whether FE follows the data, which observables contradict each other, what the diagnosis
+/// says and the gap before and after.
 std::string answer(const std::vector<CoreStudy>& cores);
 
 /// What a diagnosis found, in the words that stand behind "the diagnosis names".
@@ -53,8 +54,8 @@ report::Section overlay_section(const std::vector<CoreStudy>& cores);
 /// The FE model against all scalars: which of them contradict each other; nothing where no core
 /// has been diagnosed yet.
 std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores);
-/// The same in one sentence for the first screen; empty where nothing stands out.
-std::string simulation_sentence(const std::vector<CoreStudy>& cores);
+/// The same in a clause for the first screen; empty where nothing stands out.
+std::string simulation_clause(const std::vector<CoreStudy>& cores);
 /// Which kind of observable of one ball contradicts the others; empty where none does.
 std::string contradiction_of(const CoreStudy& core);
 

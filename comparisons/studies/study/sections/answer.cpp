@@ -37,20 +37,19 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
     nearest = law;
     least = *distance;
   }
-  const auto followed = std::count_if(cores.begin(), cores.end(), fem_follows);
-  const std::string contradiction = simulation_sentence(cores);
   std::string text;
   if (nearest)
     text = fmt::format(
         "Of the laws, the one nearest to the FE force history is {}, off by {:.1f} % of the peak "
         "force over {} impacts; ",
         cores.front().laws[*nearest].label, 100 * least, impacts);
-  return text +
-         fmt::format(
-             "the FE material itself follows the measured restitutions and contact "
-             "times within their uncertainty for {} of {} cores.",
-             followed, cores.size()) +
-         (contradiction.empty() ? contradiction : " " + contradiction);
+  if (const std::string contradiction = simulation_clause(cores); !contradiction.empty())
+    return text + contradiction + ".";
+  const auto followed = std::count_if(cores.begin(), cores.end(), fem_follows);
+  return text + fmt::format(
+                    "the FE material itself follows the measured restitutions and contact times "
+                    "within their uncertainty for {} of {} cores.",
+                    followed, cores.size());
 }
 
 std::string range_of(std::vector<double> values) {

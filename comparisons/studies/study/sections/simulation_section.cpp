@@ -131,7 +131,8 @@ report::Matrix contradiction_matrix(const std::vector<CoreStudy>& cores) {
 /// "+16 to +26 %".
 std::string percent_range(const std::vector<double>& percent) {
   const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
-  return fmt::format("{:+.0f} to {:+.0f} %", *least, *most);
+  return *least == *most ? fmt::format("{:+.0f} %", *least)
+                         : fmt::format("{:+.0f} to {:+.0f} %", *least, *most);
 }
 
 report::Table fit_table(const std::vector<CoreStudy>& cores) {
@@ -188,7 +189,7 @@ report::Table effect_table(const std::vector<CoreStudy>& cores) {
 
 }  // namespace
 
-std::string simulation_sentence(const std::vector<CoreStudy>& cores) {
+std::string simulation_clause(const std::vector<CoreStudy>& cores) {
   std::vector<std::string> labels;
   std::vector<double> slowest, fastest;
   std::optional<ObservedQuantity> kind;
@@ -206,10 +207,9 @@ std::string simulation_sentence(const std::vector<CoreStudy>& cores) {
   }
   if (!kind) return {};
   return fmt::format(
-      "Held against all scalars at once, the FE model says that {} contradicts the rest for {} of "
-      "{} cores: it exceeds what the others allow by {} at the lowest speed, and by {} at the "
-      "highest.",
-      in_words(*kind), labels.size(), diagnosed, percent_range(slowest), percent_range(fastest));
+      "no FE material holds all that was measured of {} of {} cores, for {} exceeds what the rest "
+      "allows by {} at the lowest speed and by {} at the highest",
+      labels.size(), diagnosed, in_words(*kind), percent_range(slowest), percent_range(fastest));
 }
 
 std::string contradiction_of(const CoreStudy& core) {
