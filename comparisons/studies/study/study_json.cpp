@@ -60,8 +60,15 @@ Json law_json(const StudyLaw& law, const std::vector<LawScore>& cells) {
           {"scores", scores}};
 }
 
+/// As files call it, e.g. "contact_time".
+std::string key_of(ObservedQuantity what) {
+  for (const ScalarQuantity& scalar : scalar_quantities)
+    if (scalar.what == what) return scalar.key;
+  return name_of(what);
+}
+
 Json consistency_json(const ConsistencyFit& one, const Observations& all) {
-  Json ratios = Json::object();
+  Json ratios = Json::array();
   for (const ObservableRatio& ratio : one.ratios) {
     Json of_shots = Json::array();
     for (std::size_t i = 0; i < ratio.of_shots.size(); ++i)
@@ -69,12 +76,21 @@ Json consistency_json(const ConsistencyFit& one, const Observations& all) {
           {{"speed_m_s", all.shots[i].impact.speed},
            {"measured_over_modelled",
             std::isfinite(ratio.of_shots[i]) ? Json(ratio.of_shots[i]) : Json(nullptr)}});
-    ratios[name_of(ratio.what)] = {
-        {"mean", ratio.mean}, {"scatter", ratio.scatter}, {"shots", of_shots}};
+    ratios.push_back({{"observable", key_of(ratio.what)},
+                      {"mean", ratio.mean},
+                      {"scatter", ratio.scatter},
+                      {"shots", of_shots}});
   }
-  return {{"left_out", one.left_out ? Json(name_of(*one.left_out)) : Json(nullptr)},
+  return {{"left_out", one.left_out ? Json(key_of(*one.left_out)) : Json(nullptr)},
           {"reduced_chi_square", one.fit.reduced_chi_square()},
-          {"measured_over_modelled", ratios}};
+          {"observables", ratios}};
+}
+
+Json parameters_json(const EffectChoice& effect) {
+  Json parameters = Json::array();
+  for (const auto& [name, value] : effect.parameters)
+    parameters.push_back({{"name", name}, {"value", value}});
+  return parameters;
 }
 
 Json gap_json(const ScalarGap& gap) {
@@ -89,7 +105,7 @@ Json scalars_json(const ScalarDiagnosis& d) {
     effects.push_back({{"effect", one.effect.name},
                        {"family", name_of(one.family)},
                        {"size", one.effect.size},
-                       {"parameters", one.effect.parameters},
+                       {"parameters", parameters_json(one.effect)},
                        {"reduced_chi_square", one.reduced_chi_square},
                        {"information_criterion", one.information_criterion}});
   return {{"fits", fits},
