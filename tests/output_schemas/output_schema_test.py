@@ -86,7 +86,7 @@ RARE = {
     "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above"),
     "inspect": (".contradictions",),
     "verify": (".seeded_faults",),
-    "study": (".experiments", ".parameters"),
+    "study": (".experiments", ".cores[].simulation.effects[].parameters[]"),
 }
 
 
