@@ -59,6 +59,9 @@ std::vector<NamedMaterial> materials() {
   Material whole = with_branch(plain, {0.3, 1.0, Relaxes::all}, Relaxation::multiplicative);
   whole.strain = {.stiffening = 1.0, .mullins = 0.3};
   whole.retardation_time = 0.01;
+  StrainDependence curves;
+  curves.curve = {.value = {0.0, 0.3, 0.1, 0.4, 0.4, 0.6}, .reach = 0.3};
+  curves.unloading.value = {-0.5, -0.4, -0.3, -0.2, -0.1};
   std::vector<NamedMaterial> list;
   for (const ElasticModelCard& card : elastic_models())
     list.push_back({title_of(card), law(card.model)});
@@ -77,6 +80,7 @@ std::vector<NamedMaterial> materials() {
        with_strain(plain, {.stiffening = 2.0, .densification = 10.0})},
       {"softening", with_strain(law(ogden), {.softening = 0.6})},
       {"Mullins softening", with_strain(law(hyperfoam), {.mullins = 0.5})},
+      {"curves of strain and of unloading", with_strain(plain, curves)},
       {"multiplicative branch, Mullins softening, viscous stress", whole}};
   list.insert(list.end(), inelastic.begin(), inelastic.end());
   return list;

@@ -33,8 +33,8 @@ std::vector<double> tried_values(const EffectParameterCard& parameter, const Obs
 /// Frequencies that histories can show, from a third of a swing in a contact on [Hz].
 std::vector<double> frequencies(const OscillatorCard& oscillator, const Observations& seen,
                                 GridDetail detail) {
-  constexpr double fewest_swings = 0.35, most_swings = 8.0, most_rings = 30.0;  // in a contact
-  constexpr double line_width = 0.05;  // of a frequency, with a damping ratio of a few per cent
+  constexpr double fewest_swings = 0.35, most_swings = 8.0, most_rings = 40.0;  // in a contact
+  constexpr double line_width = 0.02;  // of a frequency, with a damping ratio of one per cent
   constexpr double coarse = 1.3;       // from one to the next
   double contact = 0.0, record = 0.0, step = 0.0;
   for (const MeasuredImpact& shot : seen.shots) {

@@ -32,9 +32,12 @@ bool may_join(const std::string& name, const HypothesisFit& set) {
          (is_simple(name) && std::none_of(set.effects.begin(), set.effects.end(), fault));
 }
 
+/// Of a formula and the free form that contains it, sets grow from the formula: the further numbers
+/// of the form would fit what another effect leaves.
 bool may_grow(const HypothesisFit& set) {
   return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
-    return !is_measurement(one.name) || is_simple(one.name);
+    if (is_measurement(one.name)) return is_simple(one.name);
+    return find_effect(one.name).card.contains.empty();
   });
 }
 
@@ -54,10 +57,7 @@ bool EffectSearch::singles() {
     if (i < ranked.size()) return around_.starts(ranked[i].first, starts_per_effect);
     const EffectCard& card = find_effect(forms[i - ranked.size()]).card;
     if (card.contains.empty()) return starts_of_free_form(card, seen_, base());
-    if (around_.best_probe(card.contains) > base().chi_square) return std::vector<EffectChoice>{};
-    std::vector<EffectChoice> nearest = around_.starts(card.contains, starts_per_effect);
-    if (nearest.size() > starts_per_effect) nearest.resize(starts_per_effect);
-    return starts_beside_a_formula(card, nearest);
+    return starts_of_a_pair(card, seen_, around_);
   };
   Fits fits = fit_all(ranked.size() + forms.size(), [&](std::size_t i) {
     return fit_extended(seen_, base(), starts_of(i), SearchEffort::first_look, within());

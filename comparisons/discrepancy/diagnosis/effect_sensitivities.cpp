@@ -127,13 +127,66 @@ void EffectSensitivities::look_for_starts() {
   const std::vector<EffectChoice> choices = of_all(effects_, [&](const EffectCard& card) {
     return card.oscillator ? stronger_where_it_shows(card) : finite_effects(card, seen_);
   });
+  probes_ = probed(choices);
+}
+
+/// The best first.
+std::vector<EffectProbe> EffectSensitivities::probed(
+    const std::vector<EffectChoice>& choices) const {
+  std::vector<EffectProbe> probes;
   const auto moved = moved_residuals(choices);
   for (std::size_t i = 0; i < choices.size(); ++i)
     if (moved[i])
-      probes_.push_back({.effect = choices[i], .chi_square = project(*moved[i]).squaredNorm()});
-  std::stable_sort(probes_.begin(), probes_.end(), [](const EffectProbe& a, const EffectProbe& b) {
+      probes.push_back({.effect = choices[i], .chi_square = project(*moved[i]).squaredNorm()});
+  std::stable_sort(probes.begin(), probes.end(), [](const EffectProbe& a, const EffectProbe& b) {
     return a.chi_square < b.chi_square;
   });
+  return probes;
+}
+
+std::vector<EffectChoice> EffectSensitivities::best_of(const std::vector<EffectChoice>& choices,
+                                                       std::size_t count) const {
+  std::vector<EffectChoice> best;
+  for (EffectProbe& probe : probed(choices))
+    if (best.size() < count && probe.chi_square < fit_.chi_square)
+      best.push_back(std::move(probe.effect));
+  return best;
+}
+
+std::vector<double> EffectSensitivities::frequencies_that_show(const std::string& name,
+                                                               std::size_t count) const {
+  constexpr double line_width = 0.15;  // of a frequency: what one line leaves beside itself
+  const auto& oscillator = find_effect(name).card.oscillator;
+  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(),
+                                            static_cast<Eigen::Index>(fit_.residuals.size()));
+  Eigen::VectorXd left = project(r);
+  std::vector<std::pair<double, Eigen::VectorXd>> lines;  // what is taken out of them as of r
+  for (const EffectSensitivity& d : sensitivities_)
+    if (d.effect.name == name)
+      lines.emplace_back(oscillator->frequency_of(d.effect), d.sensitivity.normalized());
+  const auto gain = [&](const auto& line) { return std::abs(line.second.dot(left)); };
+  std::vector<double> found;
+  while (found.size() < count && !lines.empty()) {
+    const double frequency =
+        std::max_element(lines.begin(), lines.end(), [&](const auto& a, const auto& b) {
+          return gain(a) < gain(b);
+        })->first;
+    found.push_back(frequency);
+    const auto beside = std::stable_partition(lines.begin(), lines.end(), [&](const auto& line) {
+      return std::abs(std::log(line.first / frequency)) > line_width;
+    });
+    for (auto taken = beside; taken != lines.end(); ++taken) {
+      constexpr double independent = 0.05;  // of a unit vector
+      if (taken->second.norm() < independent) continue;
+      const Eigen::VectorXd unit = taken->second.normalized();
+      left -= unit.dot(left) * unit;
+      for (auto other = lines.begin(); other != lines.end(); ++other)
+        if (other != taken) other->second -= unit.dot(other->second) * unit;
+      taken->second.setZero();
+    }
+    lines.erase(beside, lines.end());
+  }
+  return found;
 }
 
 std::vector<EffectChoice> EffectSensitivities::starts(const std::string& name,

@@ -69,7 +69,14 @@ class EffectSensitivities {
   /// has a narrow valley for every frequency; no search finds it from afar: of what swings, every
   /// strength at the best frequency.
   std::vector<EffectChoice> starts(const std::string& name, std::size_t count) const;
-  /// χ² at the best of them; infinite when there is none.
+  /// Frequencies of what swings that gain most: the first alone, each further one beside those
+  /// before it [Hz].
+  std::vector<double> frequencies_that_show(const std::string& name, std::size_t count) const;
+  /// Those of `choices` that a search best starts from, none that is farther from the data than
+  /// the fit itself. It takes an impact a shot and choice.
+  std::vector<EffectChoice> best_of(const std::vector<EffectChoice>& choices,
+                                    std::size_t count) const;
+  /// χ² at the best of starts(); infinite when there is none.
   double best_probe(const std::string& name) const;
 
   /// What max Δχ² over all effects exceeds with probability `level` when
@@ -90,6 +97,7 @@ class EffectSensitivities {
  private:
   EffectScore score_of(const EffectSensitivity& sensitivity) const;
   std::vector<EffectChoice> stronger_where_it_shows(const EffectCard& card) const;
+  std::vector<EffectProbe> probed(const std::vector<EffectChoice>& choices) const;
   void add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved);
   /// residuals_with() of each, side by side.
   std::vector<std::optional<Eigen::VectorXd>> moved_residuals(

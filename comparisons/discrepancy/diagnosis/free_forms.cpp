@@ -103,7 +103,7 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
   }
   std::vector<EffectChoice> starts{start};
   for (const EffectParameterCard& parameter : card.parameters) {
-    if (!parameter.fitted) continue;
+    if (!is_unknown(parameter, fit.model->fem() != nullptr)) continue;
     std::vector<double> places = parameter.tried;
     if (parameter.dimension == dimension::time) {
       const double contact = mean_contact_time(seen, fit);
@@ -117,16 +117,19 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
   return starts;
 }
 
-std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
-                                                  const std::vector<EffectChoice>& starts) {
-  const auto& known = find_effect(card.contains).card.parameters;
-  std::vector<EffectChoice> all = starts;
-  for (EffectChoice& one : all) one.name = card.name;
-  for (const EffectParameterCard& parameter : card.parameters)
-    if (std::none_of(known.begin(), known.end(),
-                     [&](const auto& one) { return one.name == parameter.name; }))
-      all = with_each(all, parameter.name, parameter.tried);
-  return all;
+std::vector<EffectChoice> starts_of_a_pair(const EffectCard& card, const Observations& seen,
+                                           const EffectSensitivities& around) {
+  constexpr std::size_t lines = 3, searches = 3;
+  const std::vector<double> shown = around.frequencies_that_show(card.contains, lines);
+  const double ball = seen.shots.front().sphere.mass;
+  std::vector<EffectChoice> all;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (const double share : {0.1, 0.25, 0.4, 0.55, 0.7, 0.85})
+        for (const double strength : {0.03, 0.1, 0.3})
+          all.push_back(card.oscillator_pair->with(
+              std::min(shown[i], shown[j]), std::max(shown[i], shown[j]), share, strength, ball));
+  return around.best_of(all, searches);
 }
 
 std::vector<FactorBand> bands_of(const HypothesisFit& fit, std::size_t k) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 
 namespace rebound {
@@ -17,10 +18,10 @@ std::vector<std::string> free_forms(const std::vector<EffectChoice>& present,
 std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Observations& seen,
                                               const HypothesisFit& fit);
 
-/// Where a search for a free form that contains a formula starts: where that formula does, with
-/// its further numbers where the card says.
-std::vector<EffectChoice> starts_beside_a_formula(const EffectCard& card,
-                                                  const std::vector<EffectChoice>& starts);
+/// Where a search for two masses in series starts: of pairs of the frequencies that show, over
+/// strengths and over what is left free, the best.
+std::vector<EffectChoice> starts_of_a_pair(const EffectCard& card, const Observations& seen,
+                                           const EffectSensitivities& around);
 
 /// A factor, or a pull, found without a formula, over what it depends on. Where a number of the law
 /// takes its level, a factor is over its own mean: stiffness and the level of an elastic curve are

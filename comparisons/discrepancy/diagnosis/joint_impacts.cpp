@@ -11,7 +11,8 @@ namespace rebound {
 namespace {
 
 constexpr LumpedControls impact_controls{.relative_tolerance = 1e-7, .samples = 201};
-constexpr std::size_t most_kept = 256;  // impacts a shot
+constexpr int samples_of_two_masses = 801;  // their faster swing is a thirtieth of a contact
+constexpr std::size_t most_kept = 256;      // impacts a shot
 
 /// No impact where numbers that a search tries are outside what a problem may have.
 ModelledImpact run_lumped(const LumpedProblem& problem) try {
@@ -47,6 +48,8 @@ LumpedProblem JointModel::lumped_problem(const std::vector<double>& values,
   if (!problem.model.damping_formula.empty() && observed.restitution.value)
     problem.model.restitution = observed.restitution.value;
   apply_effects(physical_effects(effects_at(values)), problem);
+  const Plate& plate = problem.model.mechanisms.plate;
+  if (plate.moves() && plate.frame.moves()) problem.controls.samples = samples_of_two_masses;
   // Numbers fitted at a nominal speed belong to the shot, whatever its true speed.
   problem.model.parameters = resolve_parameters(problem.model, problem.impact, problem.sphere);
   problem.model.at_speed.clear();

@@ -48,7 +48,7 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
     : seen_(seen),
       hypothesis_(hypothesis),
       numbers_(numbers_of(hypothesis, seen.balls, unknowns_)),
-      effects_(hypothesis.effects, unknowns_),
+      effects_(hypothesis.effects, hypothesis.fem != nullptr, unknowns_),
       nuisances_(seen.shots.size()),
       blocks_(seen.shots.size()),
       impacts_(seen.shots.size()),

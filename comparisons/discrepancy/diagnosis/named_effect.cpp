@@ -106,7 +106,7 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
   measure_size(fit, k, result);
   std::size_t next = 1;
   for (const auto& parameter : effect.card.parameters)
-    if (parameter.fitted)
+    if (is_unknown(parameter, fit.model->fem() != nullptr))
       result.parameters.push_back(with_interval(fit, unknowns[next++], parameter.name,
                                                 parameter.kind == ParameterKind::logarithmic));
     else if (parameter.kind == ParameterKind::shot) {

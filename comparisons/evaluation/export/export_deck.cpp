@@ -37,6 +37,9 @@ void refuse_lost_material(const ExportTarget& target, const Material& material) 
   lost("model.material.strain_stiffening", material.strain.stiffening, "the factor of strain");
   lost("model.material.strain_softening", material.strain.softening, "the factor of strain");
   lost("model.material.densification", material.strain.densification, "the factor of strain");
+  lost("model.material.strain_curve", material.strain.curve.reach, "the factor of strain");
+  lost("model.material.unloading_curve", material.strain.unloading.acts() ? 1.0 : 0.0,
+       "the factor of strain");
   lost("model.material.mullins", material.strain.mullins, "Mullins softening");
   lost("model.material.retardation_time", material.retardation_time, "the viscous stress");
   for (const PronyBranch& branch : material.branches)

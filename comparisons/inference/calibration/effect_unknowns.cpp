@@ -67,9 +67,9 @@ CalibrationParameter logarithm_of(const EffectCard& card, const EffectParameterC
 
 }  // namespace
 
-EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects,
+EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects, bool of_fem,
                                std::vector<CalibrationParameter>& unknowns)
-    : effects_(std::move(effects)) {
+    : effects_(std::move(effects)), of_fem_(of_fem) {
   for (const EffectChoice& choice : effects_) {
     const EffectCard& card = find_effect(choice.name).card;
     auto& own = places_.emplace_back();
@@ -80,7 +80,7 @@ EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects,
     if (card.is_switch) continue;
     add(size_of(card, choice.size));
     for (const EffectParameterCard& parameter : card.parameters)
-      if (parameter.fitted)
+      if (is_unknown(parameter, of_fem_))
         add(parameter.kind == ParameterKind::linear ? linear_of(card, parameter, choice)
                                                     : logarithm_of(card, parameter, choice));
   }
@@ -97,7 +97,7 @@ std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) 
                                                  : values[own[0]];
     std::size_t next = 1;
     for (const auto& parameter : card.parameters)
-      if (parameter.fitted) {
+      if (is_unknown(parameter, of_fem_)) {
         const double value = values[own[next++]];
         effects[k].parameters[parameter.name] =
             std::clamp(parameter.kind == ParameterKind::linear ? value : std::exp(value),

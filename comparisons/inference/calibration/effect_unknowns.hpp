@@ -14,7 +14,9 @@ namespace rebound {
 class EffectUnknowns {
  public:
   /// Appends its unknowns; searches start from the numbers of `effects`.
-  EffectUnknowns(std::vector<EffectChoice> effects, std::vector<CalibrationParameter>& unknowns);
+  /// `of_fem`: those of their FE forms.
+  EffectUnknowns(std::vector<EffectChoice> effects, bool of_fem,
+                 std::vector<CalibrationParameter>& unknowns);
 
   /// The effects with these values.
   std::vector<EffectChoice> at(const std::vector<double>& values) const;
@@ -24,6 +26,7 @@ class EffectUnknowns {
 
  private:
   std::vector<EffectChoice> effects_;
+  bool of_fem_;
   std::vector<std::vector<std::size_t>> places_;
 };
 

@@ -13,7 +13,7 @@ namespace rebound {
 ///   density   50 to 20000 kg/m³ implied by mass and diameter: a slip of a
 ///             unit or a prefix moves it by a thousand or more
 ///   damping   given once: directly, or by restitution and formula
-///   FE        zero-force separation; ν ≤ 0.45; shares of the instantaneous
+///   FE        zero-force separation; ν ≤ 0.499; shares of the instantaneous
 ///             modulus sum below 1; v below the shear wave speed √(μ/ρ) of
 ///             the unrelaxed material; either `mesh` or `cells`
 ///   plate     mass and damping ratio beside a stiffness only; no friction

@@ -58,12 +58,19 @@ struct EffectParameterCard {
   Range range;  ///< SI
   double default_value = 0.0;
   bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
+  /// False: a number of the lumped form alone. In FE nothing fits it, and a file may not change it.
+  bool in_fem = true;
   ParameterKind kind = ParameterKind::logarithmic;
   double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
   std::vector<double> tried{};  ///< where a diagnosis looks, SI; empty: decades about the default
   /// Of a normal prior about the default, for a linear one; 0: none.
   double prior_deviation = 0.0;
 };
+
+/// Is it an unknown of a fit, of the lumped model or of the FE model?
+inline bool is_unknown(const EffectParameterCard& parameter, bool of_fem) {
+  return parameter.fitted && (parameter.in_fem || !of_fem);
+}
 
 /// A curve of a free form: what it depends on, and which of the effect's numbers are its points.
 struct CurveCard {
@@ -107,6 +114,15 @@ struct OscillatorCard {
   bool rings_on = false;                               ///< seen when the ball has left
 };
 
+/// Of an effect that is two masses on springs in series, as a plate on a frame: found by its two
+/// frequencies, which the ringing after contact shows, and not by its own numbers.
+struct OscillatorPairCard {
+  /// The effect that swings at `slow` and `fast` [Hz]: with the mass of the ball [kg] over that of
+  /// the plate, and where between both the plate would swing on a frame that stands still, as a
+  /// share of the logarithm.
+  EffectChoice (*with)(double slow, double fast, double share, double strength, double ball_mass);
+};
+
 /// All that is said of one effect, once. File format, help, diagnosis, tests
 /// and report read it.
 struct EffectCard {
@@ -132,8 +148,9 @@ struct EffectCard {
   /// damper, far above it nothing fades.
   std::string fades_in{};
   std::optional<OscillatorCard> oscillator{};  ///< of a mass that swings
-  std::string signature;                       ///< where it shows
-  std::string experiment;                      ///< what would tell it from its rivals
+  std::optional<OscillatorPairCard> oscillator_pair{};
+  std::string signature;   ///< where it shows
+  std::string experiment;  ///< what would tell it from its rivals
   std::string source;
   /// Stands for its family where no formula of the list does: never a candidate by its name.
   bool is_free_form = false;

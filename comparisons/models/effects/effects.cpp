@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include "comparisons/models/effects/check_effect.hpp"
 #include "lumped/problem/error.hpp"
@@ -44,6 +45,20 @@ void apply_at(void (*apply)(const EffectChoice&, Record&), const EffectChoice& c
                .allowed = "effects with a form in this tier"});
 }
 
+/// A number that the FE form does not have would pass unseen.
+void refuse_lumped_numbers(const EffectCard& card, const EffectChoice& choice, std::size_t index) {
+  for (const EffectParameterCard& one : card.parameters) {
+    const double value = choice.parameters.at(one.name);
+    const bool measured = one.kind == ParameterKind::largest_deflection;  // that of another model
+    if (!one.in_fem && !measured && value != one.default_value)
+      throw Error(ExitCode::bad_input,
+                  "the FE form of '" + card.name + "' has no number '" + one.name + "'",
+                  {.key = path_of(index) + "." + one.name,
+                   .value = number_text(value),
+                   .allowed = number_text(one.default_value) + ", or left out"});
+  }
+}
+
 /// Is there anything of it? The size of a free form is one of its numbers: the others may act where
 /// it is zero.
 bool acts(const EffectCard& card, const EffectChoice& choice) {
@@ -65,6 +80,7 @@ void apply_all(const std::vector<EffectChoice>& effects, Record& record,
     if (!seen.insert(choice.name).second)
       throw Error(ExitCode::bad_input, "the effect '" + choice.name + "' is given twice",
                   {.key = path_of(i) + ".name", .value = choice.name, .allowed = "once"});
+    if constexpr (std::is_same_v<Record, FemProblem>) refuse_lumped_numbers(effect.card, choice, i);
     const auto apply = effect.*form;
     if (!apply) {
       if (tier.empty()) continue;  // the measurement passes over what is physical

@@ -24,7 +24,7 @@ double memory_of_impact(const FemProblem& problem, int cells) {
            (implicit_cell + (observed ? observed_implicit_cell : 0.0)) * cells;
   const Material& material = problem.material;
   const double cell = explicit_cell + branch * static_cast<double>(material.branches.size()) +
-                      (material.strain.mullins > 0.0 ? largest_strain : 0.0) +
+                      (material.strain.remembers() ? largest_strain : 0.0) +
                       (observed ? observed_cell : 0.0);
   return fixed + pages + cell * cells;
 }

@@ -23,7 +23,8 @@ Effect elastic_curve_effect() {
           "piecewise cubic factor; discrepancy as a function of the state, Kennedy & O'Hagan "
           "2001",
       .is_free_form = true,
-      .curves = {curve_card("deflection_over_radius", "reach", "at", FactorCurve::points - 1)}};
+      .curves = {curve_card("deflection_over_radius", "reach", "at", FactorCurve::points - 1)},
+      .moves = ImpactChange{.peak_force = 1, .contact_time = -1}};
   card.parameters.push_back({.name = "reach",
                              .sentence = "Deflection over radius at the last point.",
                              .dimension = dimension::none,
@@ -37,16 +38,27 @@ Effect elastic_curve_effect() {
                              .range = from_to(0.0, 1.0),
                              .default_value = 0.5,
                              .fitted = true,
+                             .in_fem = false,  // branches follow all of the elastic stress there
                              .kind = ParameterKind::linear,
                              .scale = 0.3});
   return {.card = std::move(card),
-          .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-            FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
-            curve.value.back() = choice.size;
-            add_curve(curve, problem.model.mechanisms.elastic.curve);
-            for (double& value : curve.value) value *= choice.parameters.at("damping_share");
-            problem.model.mechanisms.damping.elastic_curve = curve;
-          }};
+          .to_lumped =
+              [](const EffectChoice& choice, LumpedProblem& problem) {
+                FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
+                curve.value.back() = choice.size;
+                add_curve(curve, problem.model.mechanisms.elastic.curve);
+                for (double& value : curve.value) value *= choice.parameters.at("damping_share");
+                problem.model.mechanisms.damping.elastic_curve = curve;
+              },
+          // The effective strain takes the place of x/R.
+          .to_fem =
+              [](const EffectChoice& choice, FemProblem& problem) {
+                const FactorCurve curve = curve_of(choice, "at", 5, choice.parameters.at("reach"));
+                StrainCurve& strain = problem.material.strain.curve;
+                strain.value = curve.value;
+                strain.value.back() = choice.size;
+                strain.reach = curve.end;
+              }};
 }
 
 }  // namespace rebound

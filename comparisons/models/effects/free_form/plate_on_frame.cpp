@@ -1,27 +1,44 @@
+#include <cmath>
+#include <numbers>
+
 #include "comparisons/models/effects/boundary/plate_on_load_cell.hpp"
 
 namespace rebound {
 namespace {
 
-EffectParameterCard frame_ratio(const std::string& name, const std::string& sentence,
-                                std::vector<double> tried) {
+EffectParameterCard frame_ratio(const std::string& name, const std::string& sentence) {
   return {.name = name,
           .sentence = sentence,
           .dimension = dimension::none,
           .range = from_to(1e-3, 1e3),
           .default_value = 1.0,
-          .fitted = true,
-          .tried = std::move(tried)};
+          .fitted = true};
 }
 
 std::vector<EffectParameterCard> parameters() {
   std::vector<EffectParameterCard> all =
       plate_parameters("Damping ratio of the load cell, and of the frame.");
-  all.push_back(frame_ratio("frame_stiffness_ratio",
-                            "Stiffness of the frame over that of the load cell.", {0.7, 2.0}));
   all.push_back(
-      frame_ratio("frame_mass_ratio", "Mass of the frame over that of the plate.", {2.0}));
+      frame_ratio("frame_stiffness_ratio", "Stiffness of the frame over that of the load cell."));
+  all.push_back(frame_ratio("frame_mass_ratio", "Mass of the frame over that of the plate."));
   return all;
+}
+
+/// Of a = k/M, b = k/M_f and g = k_f/M_f, a + b + g is the sum of both squared frequencies and a g
+/// their product: a is free between them, and the rest follows.
+EffectChoice ringing_frame(double slow, double fast, double share, double strength,
+                           double ball_mass) {
+  const double lower = std::pow(2.0 * std::numbers::pi * slow, 2);
+  const double upper = std::pow(2.0 * std::numbers::pi * fast, 2);
+  const double a = std::pow(lower, 1.0 - share) * std::pow(upper, share);
+  const double g = lower * upper / a, b = lower + upper - a - g;
+  const double mass = ball_mass / strength;
+  return {.name = "plate-on-frame",
+          .size = 1.0 / (mass * a),
+          .parameters = {{"mass", mass},
+                         {"damping_ratio", 0.02},
+                         {"frame_stiffness_ratio", g / b},
+                         {"frame_mass_ratio", a / b}}};
 }
 
 Plate plate_on_frame(const EffectChoice& choice, const Plate& before) {
@@ -47,6 +64,7 @@ Effect plate_on_frame_effect() {
                .range = from_to(0.0, 1.0),
                .prior_scale = 2e-08,
                .parameters = parameters(),
+               .oscillator_pair = OscillatorPairCard{ringing_frame},
                .signature = "Ringing after contact at two frequencies that neither ball nor speed "
                             "changes.",
                .experiment = "Strike the bare plate and the bare frame with a hammer.",

@@ -21,10 +21,21 @@ Effect unloading_curve_effect() {
                .experiment = "A slow cycle: what is left of the loop at no rate is history.",
                .source = "piecewise cubic factor; Walton & Braun 1986 for the kind",
                .is_free_form = true,
-               .curves = {unloading_card()}},
-      .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
-        add_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
-      }};
+               .curves = {unloading_card()},
+               .moves = ImpactChange{.restitution = -1}},
+      .to_lumped =
+          [](const EffectChoice& choice, LumpedProblem& problem) {
+            add_unloading(choice, problem.sphere.radius(), problem.model.mechanisms.memory);
+          },
+      // Every point against the largest strain it has seen itself.
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            std::array<double, UnloadingCurve::points>& value =
+                problem.material.strain.unloading.value;
+            for (const std::size_t k : {0, 1, 3, 4})
+              value[k] += choice.parameters.at("at_" + std::to_string(k));
+            value[2] -= choice.size;
+          }};
 }
 
 }  // namespace rebound

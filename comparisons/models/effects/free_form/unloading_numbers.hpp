@@ -33,6 +33,7 @@ inline std::vector<EffectParameterCard> unloading_numbers() {
            .range = limit_of<&UnloadingMemory::permanent_set>.range,
            .default_value = 0.0,
            .fitted = true,
+           .in_fem = false,  // there it is a network that yields, an effect of its own
            .kind = ParameterKind::linear,
            .scale = 0.1,
            .prior_deviation = 0.2},
@@ -42,6 +43,7 @@ inline std::vector<EffectParameterCard> unloading_numbers() {
            .range = limit_of<&UnloadingMemory::curve_growth>.range,
            .default_value = 0.0,
            .fitted = true,
+           .in_fem = false,  // every point has a largest strain of its own
            .kind = ParameterKind::linear,
            .scale = 0.5,
            .prior_deviation = 1.0},
@@ -50,6 +52,7 @@ inline std::vector<EffectParameterCard> unloading_numbers() {
            .dimension = dimension::none,
            .range = from_to(0.005, 1.0),
            .default_value = 0.3,
+           .in_fem = false,
            .kind = ParameterKind::largest_deflection}};
 }
 

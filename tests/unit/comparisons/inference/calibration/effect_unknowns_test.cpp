@@ -9,7 +9,8 @@ namespace {
 
 TEST(EffectUnknownsTest, ALinearParameterIsItself) {
   std::vector<CalibrationParameter> unknowns;
-  const EffectUnknowns hum({{"hum", 30.0, {{"frequency", 700.0}, {"phase", -1.5}}}}, unknowns);
+  const EffectUnknowns hum({{"hum", 30.0, {{"frequency", 700.0}, {"phase", -1.5}}}}, false,
+                           unknowns);
   ASSERT_EQ(unknowns.size(), 3u);
   EXPECT_EQ(unknowns[0].start, 30.0);
   EXPECT_DOUBLE_EQ(unknowns[1].start, std::log(700.0));
@@ -23,14 +24,14 @@ TEST(EffectUnknownsTest, ALinearParameterIsItself) {
 
 TEST(EffectUnknownsTest, TheSizeOfAPlateIsALogarithm) {
   std::vector<CalibrationParameter> unknowns;
-  const EffectUnknowns plate({{"plate-compliance", 2e-8, {{"mass", 5.0}}}}, unknowns);
+  const EffectUnknowns plate({{"plate-compliance", 2e-8, {{"mass", 5.0}}}}, false, unknowns);
   EXPECT_DOUBLE_EQ(unknowns[0].start, std::log(2e-8));
   EXPECT_NEAR(plate.at({std::log(3e-8), 0.0, -3.0})[0].size, 3e-8, 1e-20);
 }
 
 TEST(EffectUnknownsTest, AShotIsNoUnknown) {
   std::vector<CalibrationParameter> unknowns;
-  const EffectUnknowns gain({{"shot-gain", 0.1, {{"shot", 2.0}}}}, unknowns);
+  const EffectUnknowns gain({{"shot-gain", 0.1, {{"shot", 2.0}}}}, false, unknowns);
   EXPECT_EQ(unknowns.size(), 1u);
   EXPECT_EQ(gain.at({0.2})[0].parameters.at("shot"), 2.0);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lumped/integration/simulate.hpp"
+#include "lumped/problem/error.hpp"
 #include "tests/support/effect_cases.hpp"
 
 namespace rebound {
@@ -96,9 +97,11 @@ TEST_P(EffectParameters, NoneIsIgnored) {
       EXPECT_NE(applied(other, test::problem_for_effects()),
                 applied(usual, test::problem_for_effects()));
     }
-    if (effect.to_fem) {
+    if (effect.to_fem && parameter.in_fem) {
       EXPECT_NE(applied(other, test::fem_problem_for_effects()),
                 applied(usual, test::fem_problem_for_effects()));
+    } else if (effect.to_fem && parameter.kind != ParameterKind::largest_deflection) {
+      EXPECT_THROW(applied(other, test::fem_problem_for_effects()), Error);
     }
     if (effect.to_measurement) {
       const MeasurementChain first{.shot = 1};
