@@ -9,16 +9,14 @@ namespace {
 
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-/// Small-strain stiffness ∫ BᵀDB dV of one cell, displacements (r, z) by node.
-Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli, const double* factors) {
-  const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
-  Eigen::Matrix4d elasticity = Eigen::Matrix4d::Zero();  // rr, zz, tt, 2 rz
-  elasticity.topLeftCorner<3, 3>().setConstant(lame);
-  elasticity.diagonal() << lame + 2 * moduli.shear, lame + 2 * moduli.shear,
-      lame + 2 * moduli.shear, moduli.shear;
-  Matrix8 stiffness = Matrix8::Zero();
+using StrainRows = Eigen::Matrix<double, 4, 8>;  ///< rr, zz, tt, 2 rz
+
+/// Small-strain rows B of each point, displacements (r, z) by node.
+std::array<StrainRows, points_per_cell> strain_rows_of(const CellGeometry& cell) {
+  std::array<StrainRows, points_per_cell> rows;
   for (int q = 0; q < points_per_cell; ++q) {
-    Eigen::Matrix<double, 4, 8> b = Eigen::Matrix<double, 4, 8>::Zero();
+    StrainRows& b = rows[q];
+    b.setZero();
     for (int i = 0; i < nodes_per_cell; ++i) {
       const auto& gradient = cell.gradient[q][i];
       b(0, 2 * i) = gradient[0];
@@ -27,22 +25,56 @@ Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli, const doubl
       b(3, 2 * i) = gradient[1];
       b(3, 2 * i + 1) = gradient[0];
     }
-    stiffness += (factors ? factors[q] : 1.0) * cell.weight[q] * b.transpose() * elasticity * b;
   }
+  return rows;
+}
+
+/// B̄ = B + ⅓ 1 (mean of tr B − tr B): the derivative of mean_dilatation.inl at rest.
+void share_dilatation(const CellGeometry& cell, std::array<StrainRows, points_per_cell>& rows) {
+  using Row = Eigen::Matrix<double, 1, 8>;
+  Row mean = Row::Zero();
+  double volume = 0.0;
+  for (int q = 0; q < points_per_cell; ++q) {
+    mean += cell.weight[q] * rows[q].topRows<3>().colwise().sum();
+    volume += cell.weight[q];
+  }
+  mean /= volume;
+  for (StrainRows& b : rows) {
+    const Row more = (mean - b.topRows<3>().colwise().sum()) / 3.0;
+    b.topRows<3>().rowwise() += more;
+  }
+}
+
+/// Small-strain stiffness ∫ BᵀDB dV of one cell.
+Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli, const double* factors,
+                     bool mean_dilatation) {
+  const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
+  Eigen::Matrix4d elasticity = Eigen::Matrix4d::Zero();  // rr, zz, tt, 2 rz
+  elasticity.topLeftCorner<3, 3>().setConstant(lame);
+  elasticity.diagonal() << lame + 2 * moduli.shear, lame + 2 * moduli.shear,
+      lame + 2 * moduli.shear, moduli.shear;
+  Matrix8 stiffness = Matrix8::Zero();
+  auto rows = strain_rows_of(cell);
+  if (mean_dilatation) share_dilatation(cell, rows);
+  for (int q = 0; q < points_per_cell; ++q)
+    stiffness +=
+        (factors ? factors[q] : 1.0) * cell.weight[q] * rows[q].transpose() * elasticity * rows[q];
   return stiffness;
 }
 
 }  // namespace
 
 std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli,
-                                     const PointFactors& factors) {
+                                     const CellStiffness& cells) {
   std::vector<char> on_axis(body.position.size(), 0);
   for (const int node : body.axis_nodes) on_axis[node] = 1;
   std::vector<double> frequencies;
   frequencies.reserve(body.cells.size());
   for (std::size_t c = 0; c < body.cells.size(); ++c) {
     const CellGeometry& cell = body.cells[c];
-    Matrix8 matrix = stiffness_of(cell, moduli, factors.empty() ? nullptr : factors[c].data());
+    Matrix8 matrix =
+        stiffness_of(cell, moduli, cells.factors.empty() ? nullptr : cells.factors[c].data(),
+                     cells.mean_dilatation);
     Eigen::Matrix<double, 8, 1> scale;
     for (int i = 0; i < nodes_per_cell; ++i) {
       double mass = 0.0;

@@ -46,11 +46,17 @@ struct Discretisation {
 ///         exactly the vertices at r = 0, numbers of vertices that do not exist.
 Discretisation discretise(const Mesh& mesh, double mass);
 
+using PointFactors = std::vector<std::array<double, points_per_cell>>;
+
+/// What a cell's stiffness depends on beside its moduli.
+struct CellStiffness {
+  PointFactors factors = {};     ///< of the moduli, by cell and point; empty: one everywhere
+  bool mean_dilatation = false;  ///< all points have the volume ratio of the cell
+};
+
 /// Largest eigenfrequency squared of each cell alone, small strain, lumped
 /// mass: a bound of the assembled one (Irons & Treharne 1971) [1/s²].
-/// `factors` of the moduli by cell and point; empty: one everywhere.
-using PointFactors = std::vector<std::array<double, points_per_cell>>;
 std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli,
-                                     const PointFactors& factors = {});
+                                     const CellStiffness& cells = {});
 
 }  // namespace rebound::fem

@@ -3,27 +3,8 @@
 namespace rebound::fem {
 namespace {
 
-constexpr int cell_unknowns = 2 * quadratic_nodes;
-
 int unknown_of(const QuadraticCell& cell, int local) {
   return 2 * cell.nodes[local / 2] + local % 2;
-}
-
-/// Strain increments (E_rr, E_zz, E_tt, 2 E_rz) of the cell's unknowns.
-using StrainRows = Eigen::Matrix<double, 4, cell_unknowns>;
-
-StrainRows strain_rows(const QuadraticCell::Point& point, const Gradient<double>& f) {
-  StrainRows b;
-  for (int i = 0; i < quadratic_nodes; ++i) {
-    const double r = point.gradient[i][0], z = point.gradient[i][1];
-    b.col(2 * i) << f.rr * r, f.rz * z, f.tt * point.shape[i] / point.radius, f.rr * z + f.rz * r;
-    b.col(2 * i + 1) << f.zr * r, f.zz * z, 0.0, f.zr * z + f.zz * r;
-  }
-  return b;
-}
-
-bool inverted(const Gradient<double>& f) {
-  return !(jacobian_of(f) > 0.0 && f.tt > 0.0);
 }
 
 }  // namespace
@@ -33,41 +14,35 @@ BodyForces::BodyForces(const QuadraticBody& body, const Material& material, Cont
   states_.resize(body.cells.size() * quadratic_points * law_.branch_count());
   if (law_.branch_count() > 0)
     last_strains_.assign(body.cells.size() * quadratic_points, {1.0, 1.0, 1.0, 0.0});
+  if (law_.constants().mean_dilatation)
+    for (const QuadraticCell& cell : body.cells)
+      projections_.push_back(dilatation_projection(body, cell));
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(size());
   for (int node = 0; node < body.node_count(); ++node) unit[2 * node + 1] = 1.0;
   axial_mass_ = mass_.times(unit);
 }
 
-Symmetric<double> BodyForces::right_cauchy_green(const QuadraticCell& cell,
-                                                 const QuadraticCell::Point& point,
-                                                 const Eigen::VectorXd& u,
-                                                 Gradient<double>& f) const {
-  f = {1.0, 0.0, 0.0, 1.0, 0.0};
-  for (int i = 0; i < quadratic_nodes; ++i) {
-    const double r = u[2 * cell.nodes[i]], z = u[2 * cell.nodes[i] + 1];
-    f.rr += point.gradient[i][0] * r;
-    f.rz += point.gradient[i][1] * r;
-    f.zr += point.gradient[i][0] * z;
-    f.zz += point.gradient[i][1] * z;
-    f.tt += point.shape[i] * r;
-  }
-  f.tt = 1.0 + f.tt / point.radius;
-  return {f.rr * f.rr + f.zr * f.zr, f.rz * f.rz + f.zz * f.zz, f.tt * f.tt,
-          f.rr * f.rz + f.zr * f.zz};
+QuadraticMotion BodyForces::motion_of(std::size_t cell, const Eigen::VectorXd& u) const {
+  return {body_.cells[cell], u, projections_.empty() ? nullptr : &projections_[cell]};
 }
 
 BodyForces::Outcome BodyForces::forces(const Eigen::VectorXd& u, Eigen::VectorXd& force) const {
   force.setZero(size());
-  bool done = true;
-  each(u, [&](const auto& cell, const auto& point, const auto& f, const auto& c, auto branch) {
-    done = done && !inverted(f);
-    if (!done) return;
-    const Symmetric<double> s = law_.stress(c, states_.data() + branch);
-    const Eigen::Matrix<double, cell_unknowns, 1> local =
-        point.weight * strain_rows(point, f).transpose() * Eigen::Vector4d(s.rr, s.zz, s.tt, s.rz);
-    for (int i = 0; i < cell_unknowns; ++i) force[unknown_of(cell, i)] += local[i];
-  });
-  return done ? Outcome::done : Outcome::inverted;
+  const BranchState* states = states_.data();
+  for (std::size_t k = 0; k < body_.cells.size(); ++k) {
+    const QuadraticCell& cell = body_.cells[k];
+    const QuadraticMotion motion = motion_of(k, u);
+    if (motion.inverted()) return Outcome::inverted;
+    const auto rows = motion.strain_rows();
+    for (int q = 0; q < quadratic_points; ++q) {
+      const Symmetric<double> s = law_.stress(motion.right_cauchy_green(q), states);
+      states += law_.branch_count();
+      const Eigen::Matrix<double, quadratic_unknowns, 1> local =
+          cell.points[q].weight * rows[q].transpose() * Eigen::Vector4d(s.rr, s.zz, s.tt, s.rz);
+      for (int i = 0; i < quadratic_unknowns; ++i) force[unknown_of(cell, i)] += local[i];
+    }
+  }
+  return Outcome::done;
 }
 
 BodyForces::Outcome BodyForces::linearise(const Eigen::VectorXd& u, double mass_weight,
@@ -75,39 +50,33 @@ BodyForces::Outcome BodyForces::linearise(const Eigen::VectorXd& u, double mass_
   force.setZero(size());
   matrix.set(mass_weight, mass_);
   const BranchState* states = states_.data();
-  for (const auto& cell : body_.cells) {
-    Eigen::Matrix<double, cell_unknowns, 1> local;
-    Eigen::Matrix<double, cell_unknowns, cell_unknowns> stiffness;
+  for (std::size_t k = 0; k < body_.cells.size(); ++k) {
+    const QuadraticCell& cell = body_.cells[k];
+    const QuadraticMotion motion = motion_of(k, u);
+    if (motion.inverted()) return Outcome::inverted;
+    Eigen::Matrix<double, quadratic_unknowns, 1> local;
+    CellMatrix stiffness;
     local.setZero();
     stiffness.setZero();
-    for (const auto& point : cell.points) {
-      Gradient<double> f;
-      const auto c = right_cauchy_green(cell, point, u, f);
-      if (inverted(f)) return Outcome::inverted;
-      const StressResponse response = law_.respond(c, states);
+    const auto rows = motion.strain_rows();
+    QuadraticMotion::Stresses stresses;
+    for (int q = 0; q < quadratic_points; ++q) {
+      const double weight = cell.points[q].weight;
+      const StressResponse response = law_.respond(motion.right_cauchy_green(q), states);
       states += law_.branch_count();
-      const StrainRows b = strain_rows(point, f);
-      const Eigen::Vector4d s = point.weight * response.stress;
-      local.noalias() += b.transpose() * s;
-      const StrainRows weighted = point.weight * response.tangent * b;
-      stiffness.noalias() += b.transpose() * weighted;
-      for (int i = 0; i < quadratic_nodes; ++i) {
-        const auto& gi = point.gradient[i];
-        const double along_r = s[0] * gi[0] + s[3] * gi[1], along_z = s[3] * gi[0] + s[1] * gi[1];
-        const double hoop = s[2] * point.shape[i] / (point.radius * point.radius);
-        for (int j = 0; j < quadratic_nodes; ++j) {
-          const double shared = along_r * point.gradient[j][0] + along_z * point.gradient[j][1];
-          stiffness(2 * i, 2 * j) += shared + hoop * point.shape[j];
-          stiffness(2 * i + 1, 2 * j + 1) += shared;
-        }
-      }
+      stresses[q] = weight * response.stress;
+      local.noalias() += rows[q].transpose() * stresses[q];
+      const StrainRows weighted = weight * response.tangent * rows[q];
+      stiffness.noalias() += rows[q].transpose() * weighted;
+      motion.add_geometric_stiffness(q, stresses[q], stiffness);
     }
-    std::array<int, cell_unknowns> unknowns;
-    for (int i = 0; i < cell_unknowns; ++i) {
+    motion.add_dilatation_stiffness(stresses, stiffness);
+    std::array<int, quadratic_unknowns> unknowns;
+    for (int i = 0; i < quadratic_unknowns; ++i) {
       unknowns[i] = unknown_of(cell, i);
       force[unknowns[i]] += local[i];
     }
-    matrix.add(unknowns, {stiffness.data(), cell_unknowns * cell_unknowns});
+    matrix.add(unknowns, {stiffness.data(), quadratic_unknowns * quadratic_unknowns});
   }
   return Outcome::done;
 }

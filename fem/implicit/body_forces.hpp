@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/implicit/point_law.hpp"
+#include "fem/implicit/quadratic_motion.hpp"
 #include "fem/implicit/system_matrix.hpp"
 
 namespace rebound::fem {
@@ -11,7 +12,10 @@ namespace rebound::fem {
 /// Internal forces, consistent tangent and mass of a quadratic body.
 /// Unknowns are (u_r, u_z) of node after node.
 ///
-///   f = ∫ Bᵀ S dV,   K = ∂f/∂u = ∫ Bᵀ (∂S/∂E) B + ∇N · S ∇N dV
+///   f = ∫ Bᵀ S dV,   K = ∂f/∂u = ∫ Bᵀ (∂S/∂E) B + S : ∂²E/∂u² dV,   B = ∂E/∂u
+///
+/// E and S are those of F̄ (QuadraticMotion), which is F unless the material would make the
+/// cells lock in volume.
 ///
 /// Limit:  f is the gradient of the energy, K the derivative of f
 ///         -> tests BodyForcesTest
@@ -63,24 +67,25 @@ class BodyForces {
   const Eigen::VectorXd& axial_mass() const { return axial_mass_; }
 
  private:
-  /// Calls use(cell, point, F, C, its first branch) at every point.
+  /// Calls use(cell, point, F̄, C̄, its first branch) at every point; F̄ as QuadraticMotion has it.
   template <class Use>
   void each(const Eigen::VectorXd& u, const Use& use) const {
     std::size_t branch = 0;
-    for (const auto& cell : body_.cells)
-      for (const auto& point : cell.points) {
-        Gradient<double> f;
-        const Symmetric<double> c = right_cauchy_green(cell, point, u, f);
-        use(cell, point, f, c, branch);
+    for (std::size_t k = 0; k < body_.cells.size(); ++k) {
+      const QuadraticMotion motion = motion_of(k, u);
+      for (int q = 0; q < quadratic_points; ++q) {
+        use(body_.cells[k], body_.cells[k].points[q], motion.gradient(q),
+            motion.right_cauchy_green(q), branch);
         branch += law_.branch_count();
       }
+    }
   }
-  Symmetric<double> right_cauchy_green(const QuadraticCell& cell, const QuadraticCell::Point& point,
-                                       const Eigen::VectorXd& u, Gradient<double>& f) const;
+  QuadraticMotion motion_of(std::size_t cell, const Eigen::VectorXd& u) const;
 
   const QuadraticBody& body_;
   PointLaw law_;
-  std::vector<BranchState> states_;              ///< [cell][point][branch]
+  std::vector<DilatationProjection> projections_;  ///< by cell; empty: none needed
+  std::vector<BranchState> states_;                ///< [cell][point][branch]
   std::vector<Symmetric<double>> last_strains_;  ///< C of the last accepted instant, [cell][point]
   double relaxed_work_ = 0.0;                    ///< ∫∫ Σ (D − Q):dE dV [J]
   SystemMatrix mass_;

@@ -14,21 +14,13 @@
 #include "fem/implicit/equilibrium.hpp"
 #include "fem/implicit/implicit_fields.hpp"
 #include "fem/implicit/separation_time.hpp"
+#include "fem/implicit/time_weights.hpp"
 #include "fem/interface/adhesive_range.hpp"
 #include "fem/interface/check_problem.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
 namespace {
-
-/// Coefficients of the generalised-α method.
-struct TimeWeights {
-  static constexpr double kept = 0.9;  ///< ρ
-  static constexpr double mass = (2.0 * kept - 1.0) / (kept + 1.0);
-  static constexpr double force = kept / (kept + 1.0);
-  static constexpr double gamma = 0.5 - mass + force;
-  static constexpr double beta = 0.25 * (1.0 - mass + force) * (1.0 - mass + force);
-};
 
 /// Everything that a step changes.
 struct MotionState {
@@ -45,7 +37,9 @@ class ImplicitImpact {
   void begin_approach();
   bool approach(double step, const RunControl& control);
   bool advance(double step, int cuts);
+  Eigen::VectorXd first_guess(double step) const;
   EquilibriumTask task_of(double step) const;
+  bool nearly_incompressible() const { return forces_.law().constants().mean_dilatation; }
   void accept(double step, MotionState next);
   void show_to_fields(double step, const MotionState& next);
   void sample();
@@ -57,6 +51,7 @@ class ImplicitImpact {
   const FemProblem& problem_;
   QuadraticBody body_;
   BodyForces forces_;
+  const TimeWeights weights_ = time_weights(nearly_incompressible());
   AdhesiveTraction traction_;  ///< its range chosen
   std::optional<AdhesiveSides> adhesion_;
   EquilibriumSearch search_;
@@ -149,15 +144,15 @@ bool ImplicitImpact::approach(double step, const RunControl& control) {
 
 /// Residual of one step as a function of the displacement at its end.
 EquilibriumTask ImplicitImpact::task_of(double step) const {
-  using W = TimeWeights;
-  const double per_change = 1.0 / (W::beta * step * step);
-  const Eigen::VectorXd carried =
-      (1.0 - W::mass) * (per_change * (now_.u + step * now_.v) + (0.5 / W::beta - 1.0) * now_.a) -
-      W::mass * now_.a;
-  const Eigen::VectorXd fixed_part = (W::force / (1.0 - W::force)) * (now_.force - now_.reaction) -
-                                     forces_.mass().times(carried) / (1.0 - W::force);
-  const double inertia = (1.0 - W::mass) * per_change / (1.0 - W::force);
-  const double weight = problem_.gravity / (1.0 - W::force);
+  const double per_change = 1.0 / (weights_.beta * step * step);
+  const Eigen::VectorXd carried = (1.0 - weights_.mass) * (per_change * (now_.u + step * now_.v) +
+                                                           (0.5 / weights_.beta - 1.0) * now_.a) -
+                                  weights_.mass * now_.a;
+  const Eigen::VectorXd fixed_part =
+      (weights_.force / (1.0 - weights_.force)) * (now_.force - now_.reaction) -
+      forces_.mass().times(carried) / (1.0 - weights_.force);
+  const double inertia = (1.0 - weights_.mass) * per_change / (1.0 - weights_.force);
+  const double weight = problem_.gravity / (1.0 - weights_.force);
   EquilibriumTask task;
   task.linearise = [this, fixed_part = Eigen::VectorXd(fixed_part + weight * forces_.axial_mass()),
                     inertia](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
@@ -177,18 +172,25 @@ EquilibriumTask ImplicitImpact::task_of(double step) const {
   return task;
 }
 
+/// Where Newton's method begins. A body that hardly changes its volume begins where it is: any
+/// motion ahead misses the volume by what its stiffness makes a pressure of.
+Eigen::VectorXd ImplicitImpact::first_guess(double step) const {
+  if (nearly_incompressible()) return now_.u;
+  Eigen::VectorXd u = now_.u + step * now_.v + (0.5 * step * step) * now_.a;
+  for (const int unknown : massless_) u[unknown] = now_.u[unknown] + last_change_[unknown];
+  return u;
+}
+
 /// One step, in halves where it does not converge.
 bool ImplicitImpact::advance(double step, int cuts) {
-  using W = TimeWeights;
   forces_.law().set_step(step);
   const ActiveSet held_before = held_;
-  MotionState next{.u = now_.u + step * now_.v + (0.5 * step * step) * now_.a};
-  for (const int unknown : massless_) next.u[unknown] = now_.u[unknown] + last_change_[unknown];
+  MotionState next{.u = first_guess(step)};
   const auto found = search_.solve(task_of(step), next.u, held_, next.reaction);
   if (found.converged) {
-    next.a = (next.u - now_.u - step * now_.v) / (W::beta * step * step) -
-             (0.5 / W::beta - 1.0) * now_.a;
-    next.v = now_.v + step * ((1.0 - W::gamma) * now_.a + W::gamma * next.a);
+    next.a = (next.u - now_.u - step * now_.v) / (weights_.beta * step * step) -
+             (0.5 / weights_.beta - 1.0) * now_.a;
+    next.v = now_.v + step * ((1.0 - weights_.gamma) * now_.a + weights_.gamma * next.a);
     for (const int unknown : massless_) {
       next.a[unknown] = 0.0;
       next.v[unknown] = (next.u[unknown] - now_.u[unknown]) / step;

@@ -108,6 +108,14 @@ void check_terms(const Material& material, const KeyPath& at) {
 /// A factor on the stress has an energy only where both moduli relax alike.
 void check_strain_factors(const Material& material, const KeyPath& at) {
   if (material.strain == StrainDependence{}) return;
+  for (const double value : material.strain.curve.value)
+    if (!(value >= -0.9))
+      refuse("a factor that strain puts on the stress stays above a tenth",
+             {.key = at.of("strain_curve"), .value = number_text(value), .allowed = ">= -0.9"});
+  for (const double value : material.strain.unloading.value)
+    if (!(value >= -1.0))
+      refuse("unloading does not turn the stress around",
+             {.key = at.of("unloading_curve"), .value = number_text(value), .allowed = ">= -1"});
   for (std::size_t i = 0; i < material.branches.size(); ++i)
     if (material.branches[i].relaxes == Relaxes::deviator)
       refuse(

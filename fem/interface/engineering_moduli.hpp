@@ -58,6 +58,17 @@ inline Moduli long_term_moduli(const Material& material) {
   return {given.shear * (1.0 - sum.deviatoric), given.bulk * (1.0 - sum.volumetric)};
 }
 
+/// Above this Poisson ratio cells whose points keep their own volume ratios lock.
+inline constexpr double highest_pointwise_poisson_ratio = 0.45;
+
+/// Whether the cells of this material have a mean dilatation: where its Poisson ratio is
+/// above 0.45 before or after relaxing. Below, what was computed stays as it was.
+inline bool needs_mean_dilatation(const Material& material) {
+  constexpr double most = highest_pointwise_poisson_ratio + 1e-9;
+  return poisson_ratio(instantaneous_moduli(material)) > most ||
+         poisson_ratio(long_term_moduli(material)) > most;
+}
+
 /// Σ μᵢ βᵢ/μ of a hyperfoam that makes Σ 2μᵢ (1/3 + βᵢ) the bulk modulus.
 inline double mean_beta(const Moduli& moduli) {
   return moduli.bulk / (2.0 * moduli.shear) - 1.0 / 3.0;

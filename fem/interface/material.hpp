@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -91,12 +92,36 @@ struct RadialLayer {
   friend bool operator==(const RadialLayer&, const RadialLayer&) = default;
 };
 
+/// g of a factor 1 + g on the elastic stress, over the effective strain: linear between its values
+/// at 0, 1/5 ... 1 of the reach, constant beyond.
+struct StrainCurve {
+  static constexpr std::size_t points = 6;
+  std::array<double, points> value{};  ///< [-]
+  double reach = 0.0;                  ///< strain at the last point; 0: no curve [-]
+
+  friend bool operator==(const StrainCurve&, const StrainCurve&) = default;
+};
+
+/// m of a factor 1 + m on the elastic stress below the largest strain so far: linear between its
+/// values where ε is 1 − (1 − k/5)² of it, k = 0 ... 4, and zero at the largest strain itself.
+struct UnloadingCurve {
+  static constexpr std::size_t points = 5;
+  std::array<double, points> value{};  ///< [-]
+
+  bool acts() const { return *this != UnloadingCurve{}; }
+  friend bool operator==(const UnloadingCurve&, const UnloadingCurve&) = default;
+};
+
 /// Factors that strain puts on the elastic stress; see fem/materials/strain_factor.hpp.
 struct StrainDependence {
   double stiffening = 0.0;     ///< a [-]
   double softening = 0.0;      ///< b, toward a plateau [-]
   double densification = 0.0;  ///< c [-]
   double mullins = 0.0;        ///< d, unloading below first loading [-]
+  StrainCurve curve;           ///< without a formula; added to the others
+  UnloadingCurve unloading;    ///< without a formula; added to Mullins softening
+
+  bool remembers() const { return mullins > 0.0 || unloading.acts(); }
 
   static constexpr auto limits() {
     using S = StrainDependence;
@@ -125,8 +150,9 @@ struct Material {
   static constexpr auto limits() {
     return std::tuple{
         Limit{&Material::youngs_modulus, "youngs_modulus", "MPa", above(0.0)},
-        Limit{&Material::poisson_ratio, "poisson_ratio", "", above_up_to(-1.0, 0.45), std::nullopt,
-              "fully integrated elements lock near incompressibility"},
+        Limit{&Material::poisson_ratio, "poisson_ratio", "", above_up_to(-1.0, 0.499), std::nullopt,
+              "above, the stable step and the bulk modulus go to the limit of an incompressible "
+              "body"},
         Limit{&Material::second_share, "second_share", "", from_to(0.0, 1.0)},
         Limit{&Material::retardation_time, "retardation_time", "us", at_least(0.0), 0.0}};
   }

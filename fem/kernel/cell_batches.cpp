@@ -53,7 +53,9 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
                          int width)
     : width_(width),
       point_factors_(layer_factors(body, material.layers)),
-      cell_frequency_squared_(cell_frequencies(body, material.instantaneous, point_factors_)),
+      cell_frequency_squared_(cell_frequencies(
+          body, material.instantaneous,
+          {.factors = point_factors_, .mean_dilatation = material.mean_dilatation})),
       cell_of_slot_(deal_cells(body, width)) {
   const std::vector<int>& order = cell_of_slot_;
   const int unused_node = body.node_count();
@@ -61,6 +63,9 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
   // Padding lanes: zero gradients and weight leave F = 1 and no force.
   geometry_.assign(order.size() * points_per_cell * geometry_stride, 0.0);
   rest_frequency_squared_.assign(order.size(), 0.0);
+  // Padding lanes are cells at rest: shares that sum to 1 leave their volume ratio 1.
+  if (material.mean_dilatation)
+    volume_shares_.assign(order.size() * points_per_cell, 1.0 / points_per_cell);
 
   for (std::size_t slot = 0; slot < order.size(); ++slot) {
     if (order[slot] == padding) continue;
@@ -70,7 +75,10 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
     rest_frequency_squared_[slot] = cell_frequency_squared_[order[slot]];
     for (int i = 0; i < nodes_per_cell; ++i)
       nodes_[(batch * nodes_per_cell + i) * width + lane] = cell.nodes[i];
+    const double cell_volume = std::accumulate(cell.weight.begin(), cell.weight.end(), 0.0);
     for (int q = 0; q < points_per_cell; ++q) {
+      if (material.mean_dilatation)
+        volume_shares_[(batch * points_per_cell + q) * width + lane] = cell.weight[q] / cell_volume;
       double* at =
           geometry_.data() + (batch * points_per_cell + q) * geometry_stride * width + lane;
       for (int i = 0; i < nodes_per_cell; ++i) {
@@ -88,6 +96,7 @@ CellBatches::CellBatches(const Discretisation& body, const ViscoelasticConstants
   arrays_.nodes = nodes_.data();
   arrays_.geometry = geometry_.data();
   arrays_.rest_frequency_squared = rest_frequency_squared_.data();
+  arrays_.volume_shares = volume_shares_.empty() ? nullptr : volume_shares_.data();
   arrays_.elastic = material.elastic;
   arrays_.long_term_deviatoric = material.long_term_deviatoric;
   arrays_.long_term_volumetric = material.long_term_volumetric;

@@ -35,6 +35,7 @@ class CellBatches {
   std::vector<int> cell_of_slot_;
   std::vector<int> nodes_;
   std::vector<double> geometry_;
+  std::vector<double> volume_shares_;  ///< empty: cells without mean dilatation
   std::vector<double> rest_frequency_squared_;
   CellArrays arrays_;
 };

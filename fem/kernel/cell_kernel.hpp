@@ -54,7 +54,10 @@ struct CellArrays {
   const int* nodes = nullptr;        ///< [batch][4][width]
   const double* geometry = nullptr;  ///< [batch][4 points][geometry_stride][width]
   const double* rest_frequency_squared =
-      nullptr;               ///< [batch][width], ω² of the cell at rest [1/s²]
+      nullptr;  ///< [batch][width], ω² of the cell at rest [1/s²]
+  /// [batch][4 points][width], share of each point in the volume of its cell; null: cells whose
+  /// points keep their own volume ratio, see mean_dilatation.inl.
+  const double* volume_shares = nullptr;
   ElasticConstants elastic;  ///< with the instantaneous moduli
   double long_term_deviatoric = 1.0;
   double long_term_volumetric = 1.0;

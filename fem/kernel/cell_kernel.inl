@@ -13,6 +13,7 @@ namespace rebound::fem {
 namespace {
 
 #include "fem/kernel/cell_points.inl"
+#include "fem/kernel/mean_dilatation.inl"
 
 inline double sum_of(Real a) {
   double total = 0.0;
@@ -33,7 +34,7 @@ struct DrivenShares {
   }
 };
 
-template <Energies asked, Elastic<Real> Law>
+template <Energies asked, Dilatation dilatation, Elastic<Real> Law>
 CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
                                const BranchStep* branches, const double* displacement,
                                double* history, double* force, CellEnergies* energies) {
@@ -57,14 +58,25 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
           point_geometry(cells.geometry + (first_point + q) * geometry_stride * width);
       gradients[q] = deformation(point, shape[q], u);
     }
-    // Four independent chains at once: a logarithm alone waits on itself.
-    for (int q = 0; q < points_per_cell; ++q) log_jacobians[q] = log(jacobian_of(gradients[q]));
+    [[maybe_unused]] CellDilatation volume;
+    [[maybe_unused]] CellStress kept;
+    if constexpr (dilatation == Dilatation::of_cell) {
+      volume = mean_dilatation(cells.volume_shares + first_point * width, gradients);
+      log_jacobians[0] = log(volume.ratio);
+    } else {
+      // Four independent chains at once: a logarithm alone waits on itself.
+      for (int q = 0; q < points_per_cell; ++q) log_jacobians[q] = log(jacobian_of(gradients[q]));
+    }
     Real growth = zero;
     for (int q = 0; q < points_per_cell; ++q) {
       const Point point =
           point_geometry(cells.geometry + (first_point + q) * geometry_stride * width);
       const Gradient<Real>& gradient = gradients[q];
-      const Strain<Real> strain = strain_of(gradient, log_jacobians[q]);
+      Strain<Real> strain;
+      if constexpr (dilatation == Dilatation::of_cell)
+        strain = strain_of(gradient, log_jacobians[0], volume.inverse_ratio);
+      else
+        strain = strain_of(gradient, log_jacobians[q]);
       const Symmetric<Real> deviatoric = elastic.deviatoric_stress(strain);
       const Symmetric<Real> volumetric = elastic.volumetric_stress(strain);
       Symmetric<Real> stress =
@@ -92,11 +104,19 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
           held += point.weight * of_point.held;
         }
       }
-      add_point_force(point, shape[q], first_piola(gradient, stress), f);
-      smallest_jacobian = strain.jacobian < smallest_jacobian ? strain.jacobian : smallest_jacobian;
+      Real jacobian = strain.jacobian;
+      if constexpr (dilatation == Dilatation::of_cell) {
+        kept.keep(q, point.weight, stress, strain);
+        jacobian = volume.jacobians[q];
+      } else {
+        add_point_force(point, shape[q], first_piola(gradient, stress), f);
+      }
+      smallest_jacobian = jacobian < smallest_jacobian ? jacobian : smallest_jacobian;
       growth = larger(growth,
                       elastic.stiffness_growth(strain, inverse_eigenvalue_bound(strain.inverse)));
     }
+    if constexpr (dilatation == Dilatation::of_cell)
+      add_kept_forces(cells, batch, kept, volume, gradients, f);
     scatter_add(nodes, f, force);
     const Real at_rest = load<Real>(cells.rest_frequency_squared + batch * width);
     largest_frequency = larger(largest_frequency, growth * at_rest);
@@ -125,10 +145,12 @@ double stored_energy_of(const Law& elastic, const CellArrays& cells, const doubl
   Real sum = {};
   for (int batch = 0; batch < cells.batches; ++batch) {
     const Corners u = gather(cells.nodes + batch * nodes_per_cell * width, displacement);
+    Gradient<Real> gradients[points_per_cell];
+    material_gradients(cells, batch, u, gradients);
     for (int q = 0; q < points_per_cell; ++q) {
       const long at = static_cast<long>(batch) * points_per_cell + q;
       const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
-      const Strain<Real> strain = strain_of(deformation(point, shape[q], u));
+      const Strain<Real> strain = strain_of(gradients[q]);
       sum += point.weight * (cells.long_term_deviatoric * elastic.deviatoric_energy(strain) +
                              cells.long_term_volumetric * elastic.volumetric_energy(strain));
     }
@@ -140,30 +162,41 @@ double stored_energy_of(const Law& elastic, const CellArrays& cells, const doubl
 
 #include "fem/kernel/inelastic_kernel.inl"
 
+template <Energies asked, Dilatation dilatation, Elastic<Real> Law>
+CellSummary forces_of(const Law& elastic, const CellArrays& cells, const BranchStep* branches,
+                      const CellMotion& motion, double* history, double* force,
+                      CellEnergies* energies) {
+  if (cells.inelastic.acts)
+    return inelastic_forces_of<asked, dilatation>(elastic, cells, branches, motion, history, force,
+                                                  energies);
+  if (asked == Energies::all || cells.branches > 0)
+    return internal_forces_of<asked, dilatation>(elastic, cells, branches, motion.displacement,
+                                                 history, force, energies);
+  return internal_forces_of<Energies::none, dilatation>(
+      elastic, cells, branches, motion.displacement, history, force, energies);
+}
+
+template <Energies asked>
+CellSummary forces_of_any(const CellArrays& cells, const BranchStep* branches,
+                          const CellMotion& motion, double* history, double* force,
+                          CellEnergies* energies) {
+  return with_elastic(cells.elastic, [&](const auto& elastic) {
+    return cells.volume_shares ? forces_of<asked, Dilatation::of_cell>(
+                                     elastic, cells, branches, motion, history, force, energies)
+                               : forces_of<asked, Dilatation::of_points>(
+                                     elastic, cells, branches, motion, history, force, energies);
+  });
+}
+
 CellSummary internal_forces(const CellArrays& cells, const BranchStep* branches,
                             const CellMotion& motion, double* history, double* force) {
-  return with_elastic(cells.elastic, [&](const auto& elastic) {
-    if (cells.inelastic.acts)
-      return inelastic_forces_of<Energies::rates>(elastic, cells, branches, motion, history, force,
-                                                  nullptr);
-    return cells.branches > 0
-               ? internal_forces_of<Energies::rates>(elastic, cells, branches, motion.displacement,
-                                                     history, force, nullptr)
-               : internal_forces_of<Energies::none>(elastic, cells, branches, motion.displacement,
-                                                    history, force, nullptr);
-  });
+  return forces_of_any<Energies::rates>(cells, branches, motion, history, force, nullptr);
 }
 
 CellSummary forces_and_energies(const CellArrays& cells, const BranchStep* branches,
                                 const CellMotion& motion, double* history, double* force,
                                 CellEnergies& energies) {
-  return with_elastic(cells.elastic, [&](const auto& elastic) {
-    return cells.inelastic.acts
-               ? inelastic_forces_of<Energies::all>(elastic, cells, branches, motion, history,
-                                                    force, &energies)
-               : internal_forces_of<Energies::all>(elastic, cells, branches, motion.displacement,
-                                                   history, force, &energies);
-  });
+  return forces_of_any<Energies::all>(cells, branches, motion, history, force, &energies);
 }
 
 double stored_energy(const CellArrays& cells, const double* displacement, const double* history) {

@@ -14,6 +14,7 @@ namespace rebound::fem {
 namespace {
 
 #include "fem/kernel/cell_points.inl"
+#include "fem/kernel/mean_dilatation.inl"
 #include "fem/kernel/point_outcome.inl"
 
 /// One point's history, to be advanced without anyone noticing.
@@ -34,6 +35,21 @@ inline Real observe_component(double* carried, Real displacement_gradient, Real 
   return (stress + stress_before) * (displacement_gradient - strain_before);
 }
 
+/// F and its rate of the four points of one batch, as the material sees them.
+inline void material_motion(const CellArrays& cells, int batch, const Corners& u, const Corners& v,
+                            Gradient<Real>* gradients, Gradient<Real>* rates) {
+  if (cells.volume_shares) {
+    mean_dilatation_of(cells, batch, u, v, gradients, rates);
+    return;
+  }
+  const long first = static_cast<long>(batch) * points_per_cell;
+  for (int q = 0; q < points_per_cell; ++q) {
+    const Point point = point_geometry(cells.geometry + (first + q) * geometry_stride * width);
+    gradients[q] = deformation(point, shape[q], u);
+    rates[q] = velocity_gradient(point, shape[q], v);
+  }
+}
+
 template <Elastic<Real> Law>
 void advance_of(const Law& law, const CellArrays& cells, const BranchStep* branches,
                 const CellMotion& motion, const double* history, double* observed) {
@@ -42,13 +58,14 @@ void advance_of(const Law& law, const CellArrays& cells, const BranchStep* branc
     const int* nodes = cells.nodes + batch * nodes_per_cell * width;
     const Corners u = gather(nodes, motion.displacement);
     const Corners v = viscous ? gather(nodes, motion.velocity) : u;
+    Gradient<Real> gradients[points_per_cell], rates[points_per_cell];
+    material_motion(cells, batch, u, v, gradients, rates);
     for (int q = 0; q < points_per_cell; ++q) {
       const long at = static_cast<long>(batch) * points_per_cell + q;
-      const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
-      const Gradient<Real> f = deformation(point, shape[q], u);
+      const Gradient<Real> f = gradients[q];
       Scratch scratch(history + at * cells.history_per_point * width, cells.history_per_point);
-      const PointOutcome out = point_outcome<Energies::none>(
-          law, cells, branches, f, velocity_gradient(point, shape[q], v), scratch.values);
+      const PointOutcome out =
+          point_outcome<Energies::none>(law, cells, branches, f, rates[q], scratch.values);
       const Gradient<Real> piola = first_piola(f, out.stress);
       double* carried = observed + at * observed_stride * width;
       const Real twice = observe_component(carried, f.rr - 1.0, piola.rr) +
@@ -82,11 +99,12 @@ void energies_of(const Law& law, const CellArrays& cells, const BranchStep* bran
   const Real zero = {};
   for (int batch = 0; batch < cells.batches; ++batch) {
     const Corners u = gather(cells.nodes + batch * nodes_per_cell * width, displacement);
+    Gradient<Real> gradients[points_per_cell];
+    material_gradients(cells, batch, u, gradients);
     for (int q = 0; q < points_per_cell; ++q) {
       const long at = static_cast<long>(batch) * points_per_cell + q;
-      const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
       const double* carried = history + at * cells.history_per_point * width;
-      const Gradient<Real> f = deformation(point, shape[q], u);
+      const Gradient<Real> f = gradients[q];
       const Strain<Real> strain = strain_of(f);
       const Real deviatoric = law.deviatoric_energy(strain);
       const Real volumetric = law.volumetric_energy(strain);

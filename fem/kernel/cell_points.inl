@@ -79,17 +79,40 @@ inline Gradient<Real> deformation(const Point& point, const double* shape_values
   return f;
 }
 
-inline void add_point_force(const Point& point, const double* shape_values,
-                            const Gradient<Real>& piola, Corners& force) {
-  const Real rr = piola.rr * point.weight;
-  const Real rz = piola.rz * point.weight;
-  const Real zr = piola.zr * point.weight;
-  const Real zz = piola.zz * point.weight;
-  const Real tt = piola.tt * point.weight * point.inverse_radius;
+inline Gradient<Real> velocity_gradient(const Point& point, const double* shape_values,
+                                        const Corners& v) {
+  const Real zero = {};
+  Gradient<Real> rate{zero, zero, zero, zero, zero};
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    rate.rr += point.gradient_r[i] * v.r[i];
+    rate.rz += point.gradient_z[i] * v.r[i];
+    rate.zr += point.gradient_r[i] * v.z[i];
+    rate.zz += point.gradient_z[i] * v.z[i];
+    rate.tt += shape_values[i] * v.r[i];
+  }
+  rate.tt = rate.tt * point.inverse_radius;
+  return rate;
+}
+
+/// Nodal forces of one point; `piola` has its weight.
+inline void add_weighted_force(const Point& point, const double* shape_values,
+                               const Gradient<Real>& piola, Corners& force) {
+  const Real rr = piola.rr;
+  const Real rz = piola.rz;
+  const Real zr = piola.zr;
+  const Real zz = piola.zz;
+  const Real tt = piola.tt * point.inverse_radius;
   for (int i = 0; i < nodes_per_cell; ++i) {
     force.r[i] += rr * point.gradient_r[i] + rz * point.gradient_z[i] + tt * shape_values[i];
     force.z[i] += zr * point.gradient_r[i] + zz * point.gradient_z[i];
   }
+}
+
+inline void add_point_force(const Point& point, const double* shape_values,
+                            const Gradient<Real>& piola, Corners& force) {
+  const Real w = point.weight;
+  add_weighted_force(point, shape_values,
+                     {piola.rr * w, piola.rz * w, piola.zr * w, piola.zz * w, piola.tt * w}, force);
 }
 
 inline Symmetric<Real> combine(Real a, const Symmetric<Real>& x, Real b, const Symmetric<Real>& y) {

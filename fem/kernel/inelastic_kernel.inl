@@ -11,7 +11,7 @@ inline double damped_frequency_squared(double a, double c) {
   return frequency * frequency;
 }
 
-template <Energies asked, Elastic<Real> Law>
+template <Energies asked, Dilatation dilatation, Elastic<Real> Law>
 CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const BranchStep* branches,
                                 const CellMotion& motion, double* history, double* force,
                                 CellEnergies* energies) {
@@ -29,15 +29,29 @@ CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const B
     Corners forces;
     for (int i = 0; i < nodes_per_cell; ++i) forces.r[i] = forces.z[i] = zero;
     Real growth = zero, damping = zero;
+    [[maybe_unused]] Gradient<Real> gradients[points_per_cell], rates[points_per_cell];
+    [[maybe_unused]] CellDilatation volume;
+    [[maybe_unused]] CellStress kept;
+    if constexpr (dilatation == Dilatation::of_cell)
+      volume = mean_dilatation_of(cells, batch, u, v, gradients, rates);
     for (int q = 0; q < points_per_cell; ++q) {
       const long at = static_cast<long>(batch) * points_per_cell + q;
       const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
-      const Gradient<Real> f = deformation(point, shape[q], u);
-      const PointOutcome out =
-          point_outcome<asked>(law, cells, branches, f, velocity_gradient(point, shape[q], v),
-                               history + at * cells.history_per_point * width);
-      add_point_force(point, shape[q], first_piola(f, out.stress), forces);
+      Gradient<Real> f, rate;
+      if constexpr (dilatation == Dilatation::of_cell) {
+        f = gradients[q];
+        rate = rates[q];
+      } else {
+        f = deformation(point, shape[q], u);
+        rate = velocity_gradient(point, shape[q], v);
+      }
+      const PointOutcome out = point_outcome<asked>(law, cells, branches, f, rate,
+                                                    history + at * cells.history_per_point * width);
       const Strain<Real> strain = strain_of(f);
+      if constexpr (dilatation == Dilatation::of_cell)
+        kept.keep(q, point.weight, out.stress, strain);
+      else
+        add_point_force(point, shape[q], first_piola(f, out.stress), forces);
       const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
       relaxing_power += point.weight * contract(out.energies.relaxing, green);
       viscous_power += point.weight * out.energies.viscous_power;
@@ -54,11 +68,17 @@ CellSummary inelastic_forces_of(const Law& law, const CellArrays& cells, const B
         held += point.weight * out.energies.held;
         held_multiplicative += point.weight * out.energies.held_multiplicative;
       }
-      const Real jacobian = jacobian_of(f);
+      Real jacobian;
+      if constexpr (dilatation == Dilatation::of_cell)
+        jacobian = volume.jacobians[q];
+      else
+        jacobian = jacobian_of(f);
       smallest_jacobian = jacobian < smallest_jacobian ? jacobian : smallest_jacobian;
       growth = larger(growth, out.growth);
       damping = larger(damping, out.damping_growth);
     }
+    if constexpr (dilatation == Dilatation::of_cell)
+      add_kept_forces(cells, batch, kept, volume, gradients, forces);
     scatter_add(nodes, forces, force);
     const Real at_rest = load<Real>(cells.rest_frequency_squared + batch * width);
     stiffest = larger(stiffest, growth * at_rest);
@@ -95,10 +115,12 @@ double factored_energy_of(const Law& law, const CellArrays& cells, const double*
   Real sum = {};
   for (int batch = 0; batch < cells.batches; ++batch) {
     const Corners u = gather(cells.nodes + batch * nodes_per_cell * width, displacement);
+    Gradient<Real> gradients[points_per_cell];
+    material_gradients(cells, batch, u, gradients);
     for (int q = 0; q < points_per_cell; ++q) {
       const long at = static_cast<long>(batch) * points_per_cell + q;
       const Point point = point_geometry(cells.geometry + at * geometry_stride * width);
-      const Strain<Real> strain = strain_of(deformation(point, shape[q], u));
+      const Strain<Real> strain = strain_of(gradients[q]);
       const double* carried =
           history + (at * cells.history_per_point + cells.branches * history_stride) * width;
       const Real energy = law.deviatoric_energy(strain) + law.volumetric_energy(strain);

@@ -1,21 +1,6 @@
 // One integration point of any material. What is asked is asked of the material,
 // never of a point. Part of the kernels' and the observers' unnamed namespaces.
 
-inline Gradient<Real> velocity_gradient(const Point& point, const double* shape_values,
-                                        const Corners& v) {
-  const Real zero = {};
-  Gradient<Real> rate{zero, zero, zero, zero, zero};
-  for (int i = 0; i < nodes_per_cell; ++i) {
-    rate.rr += point.gradient_r[i] * v.r[i];
-    rate.rz += point.gradient_z[i] * v.r[i];
-    rate.zr += point.gradient_r[i] * v.z[i];
-    rate.zz += point.gradient_z[i] * v.z[i];
-    rate.tt += shape_values[i] * v.r[i];
-  }
-  rate.tt = rate.tt * point.inverse_radius;
-  return rate;
-}
-
 /// Ė = sym(Fᵀ Ḟ).
 inline Symmetric<Real> green_strain_rate(const Gradient<Real>& f, const Gradient<Real>& rate) {
   return {f.rr * rate.rr + f.zr * rate.zr, f.rz * rate.rz + f.zz * rate.zz, f.tt * rate.tt,

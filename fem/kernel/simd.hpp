@@ -88,6 +88,33 @@ inline OnlyVector<V> sqrt(V x) {
   return root + 0.5 * y * (x - root * root);
 }
 
+/// One over the cube root of positive normal numbers.
+///
+///   y ← y (1 + r/3 + 2 r²/9 + 14 r³/81),  r = 1 − x y³, twice, from a guess of a third of
+///   the exponent that is within 4 %: what is left of r⁴ is below rounding
+///
+/// Error: below 3 units in the last place -> test SimdMath.InverseCubeRootAgainstLibrary
+template <class V>
+inline OnlyVector<V> inverse_cube_root(V x) {
+  using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
+  Integer bits;
+  std::memcpy(&bits, &x, sizeof(V));
+  // A third of the upper half by way of doubles: integers of vectors have no division.
+  const Integer in_mantissa = (bits >> 32) + 0x4330000000000000;
+  V upper;
+  std::memcpy(&upper, &in_mantissa, sizeof(V));
+  const V third = (4503599627370496.0 + 1430188287.0) - (upper - 4503599627370496.0) * (1.0 / 3.0);
+  std::memcpy(&bits, &third, sizeof(V));
+  bits <<= 32;
+  V y;
+  std::memcpy(&y, &bits, sizeof(V));
+  for (int i = 0; i < 2; ++i) {
+    const V r = 1.0 - x * y * y * y;
+    y += y * r * (1.0 / 3.0 + r * (2.0 / 9.0 + r * (14.0 / 81.0)));
+  }
+  return y;
+}
+
 /// Exponential for |x| < 700.
 ///
 ///   x = k ln 2 + r, |r| ≤ ½ ln 2;   eˣ = 2^k Σ rⁿ/n!

@@ -35,10 +35,9 @@ inline T jacobian_of(const Gradient<T>& f) {
   return (f.rr * f.zz - f.rz * f.zr) * f.tt;
 }
 
-/// Strain measures of `f`. The caller passes ln J, which it can take for
-/// several points at once.
+/// Strain measures of `f` where the caller knows 1/J and ln J of several points.
 template <class T>
-inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian) {
+inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian, const T& inverse_jacobian) {
   Strain<T> strain;
   auto& c = strain.right_cauchy_green;
   c.rr = f.rr * f.rr + f.zr * f.zr;
@@ -48,7 +47,6 @@ inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian) {
   const T in_plane = f.rr * f.zz - f.rz * f.zr;
   strain.jacobian = in_plane * f.tt;
   strain.log_jacobian = log_jacobian;
-  const T inverse_jacobian = 1.0 / strain.jacobian;  // one division serves both inverses
   const T inverse_in_plane = inverse_jacobian * f.tt;
   const T inverse_tt = inverse_jacobian * in_plane;
   const T inverse_determinant = inverse_in_plane * inverse_in_plane;
@@ -57,6 +55,12 @@ inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian) {
   strain.inverse.rz = -c.rz * inverse_determinant;
   strain.inverse.tt = inverse_tt * inverse_tt;
   return strain;
+}
+
+/// The same, 1/J taken here: one division serves both inverses.
+template <class T>
+inline Strain<T> strain_of(const Gradient<T>& f, const T& log_jacobian) {
+  return strain_of(f, log_jacobian, T(1.0 / jacobian_of(f)));
 }
 
 template <class T>

@@ -24,15 +24,51 @@ StretchTerms terms_of(const Material& material, const Moduli& moduli) {
   return terms;
 }
 
+/// A curve through `value` at `place`, flat before and after.
+template <std::size_t Count>
+Bends<Count> bends_through(const std::array<double, Count>& place,
+                           const std::array<double, Count>& value, double last_slope) {
+  Bends<Count> bends{.act = true, .at_zero = value.front(), .place = place};
+  double slope = 0.0;
+  for (std::size_t k = 0; k < Count; ++k) {
+    const double next =
+        k + 1 < Count ? (value[k + 1] - value[k]) / (place[k + 1] - place[k]) : last_slope;
+    bends.change[k] = next - slope;
+    bends.steepest = std::max(bends.steepest, next);
+    slope = next;
+  }
+  return bends;
+}
+
+Bends<StrainCurve::points> bends_of(const StrainCurve& curve) {
+  if (curve.reach == 0.0) return {};
+  std::array<double, StrainCurve::points> strain{};
+  for (std::size_t k = 0; k < strain.size(); ++k)
+    strain[k] = curve.reach * static_cast<double>(k) / static_cast<double>(strain.size() - 1);
+  return bends_through(strain, curve.value, 0.0);
+}
+
+Bends<UnloadingCurve::points> bends_of(const UnloadingCurve& curve) {
+  if (!curve.acts()) return {};
+  std::array<double, UnloadingCurve::points> share{};
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    const double left = 1.0 - static_cast<double>(k) / static_cast<double>(share.size());
+    share[k] = 1.0 - left * left;
+  }
+  return bends_through(share, curve.value, -curve.value.back() / (1.0 - share.back()));
+}
+
 InelasticConstants inelastic_of(const Material& material, const ViscoelasticConstants& constants) {
   const StrainDependence& k = material.strain;
   const Moduli& m = constants.instantaneous;
   InelasticConstants inelastic{.factor_acts = k != StrainDependence{},
-                               .remembers_strain = k.mullins > 0.0,
+                               .remembers_strain = k.remembers(),
                                .factor = {.stiffening = k.stiffening,
                                           .softening = k.softening,
                                           .densification = k.densification,
                                           .mullins = k.mullins,
+                                          .curve = bends_of(k.curve),
+                                          .unloading = bends_of(k.unloading),
                                           .youngs_modulus = youngs_modulus(m)},
                                .retardation_time = material.retardation_time};
   for (const auto& branch : constants.branches) {
@@ -76,6 +112,7 @@ ViscoelasticConstants viscoelastic_constants(const Material& material) {
                        .terms = terms_of(material, constants.instantaneous)};
   constants.inelastic = inelastic_of(material, constants);
   constants.layers = material.layers;
+  constants.mean_dilatation = needs_mean_dilatation(material);
   return constants;
 }
 

@@ -32,10 +32,11 @@ struct ViscoelasticConstants {
   ElasticConstants elastic;  ///< the law, with the instantaneous moduli
   InelasticConstants inelastic;
   std::vector<RadialLayer> layers;
+  bool mean_dilatation = false;  ///< cells of this material would lock without
 
   /// Whether energy can be lost or kept elsewhere than in the elastic law.
   bool dissipates() const {
-    return !branches.empty() || inelastic.retardation_time > 0.0 || inelastic.factor.mullins > 0.0;
+    return !branches.empty() || inelastic.retardation_time > 0.0 || inelastic.remembers_strain;
   }
 };
 

@@ -36,8 +36,10 @@ const Mesh& sphere(int refinements) {
   return known[refinements];
 }
 
-FemProblem problem_with(int branches) {
+/// A Poisson ratio above 0.45 has cells with a mean dilatation.
+FemProblem problem_with(int branches, double poisson_ratio = 0.4) {
   FemProblem problem = test::common_case(15.0);
+  problem.material.poisson_ratio = poisson_ratio;
   problem.material.branches = {{0.3, 0.3e-3, Relaxes::all}, {0.1, 3e-3, Relaxes::deviator}};
   problem.material.branches.resize(branches);
   return problem;
@@ -93,8 +95,8 @@ double bytes_per_cell(int branches) {
 }
 
 void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branches,
-               int refinements) {
-  const FemProblem problem = problem_with(branches);
+               int refinements, double poisson_ratio) {
+  const FemProblem problem = problem_with(branches, poisson_ratio);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
   const auto constants = fem::viscoelastic_constants(problem.material);
   const fem::CellBatches cells(body, constants, kernel->width);
@@ -115,8 +117,8 @@ void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branc
   state.counters["GB_per_s"] = 1e-9 * count * bytes_per_cell(branches) / best;
 }
 
-void impact(benchmark::State& state, int branches, int refinements) {
-  const FemProblem problem = problem_with(branches);
+void impact(benchmark::State& state, int branches, int refinements, double poisson_ratio) {
+  const FemProblem problem = problem_with(branches, poisson_ratio);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
   FemResult result;
   double processor = std::numeric_limits<double>::infinity();
@@ -151,16 +153,22 @@ void register_all() {
     if (const fem::CellKernel* kernel = fem::find_cell_kernel(name))
       for (int branches = 0; branches <= 2; ++branches)
         for (int size = 0; size < 3; ++size)
-          add("kernel/" + name + "/branches:" + std::to_string(branches) + "/cells:" + sizes[size],
-              cell_step, kernel, branches, size)
-              ->Unit(benchmark::kMicrosecond)
-              ->MinTime(0.1);
+          for (const double poisson_ratio : {0.4, 0.49})
+            add("kernel/" + name + "/branches:" + std::to_string(branches) +
+                    "/cells:" + sizes[size] + (poisson_ratio > 0.45 ? "/mean_dilatation" : ""),
+                cell_step, kernel, branches, size, poisson_ratio)
+                ->Unit(benchmark::kMicrosecond)
+                ->MinTime(0.1);
   for (int branches = 0; branches <= 2; ++branches)
     for (int size = 0; size < 3; ++size)
       add("impact/branches:" + std::to_string(branches) + "/cells:" + sizes[size], impact, branches,
-          size)
+          size, 0.4)
           ->Unit(benchmark::kMillisecond)
           ->Iterations(size < 2 ? 10 : 2);
+  for (const std::string poisson_ratio : {"0.4", "0.45", "0.46", "0.49", "0.499"})
+    add("rubber/poisson_ratio:" + poisson_ratio, impact, 0, 0, std::stod(poisson_ratio))
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(5);
 }
 
 }  // namespace

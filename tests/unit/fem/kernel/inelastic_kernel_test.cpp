@@ -35,6 +35,9 @@ std::vector<Named> inelastic_materials() {
   plateau.strain = {.softening = 0.6};
   Material mullins = test::unit_material(ElasticModel::hyperfoam);
   mullins.strain = {.mullins = 0.5};
+  Material curves = test::unit_material();
+  curves.strain.curve = {.value = {0.0, 0.2, 0.1, 0.5, 0.4, 0.6}, .reach = 0.2};
+  curves.strain.unloading.value = {-0.5, -0.3, -0.4, -0.1, -0.05};
   Material whole = with_branch({0.3, 0.4, Relaxes::all}, Relaxation::multiplicative);
   whole.strain = {.stiffening = 1.0, .mullins = 0.3};
   whole.retardation_time = 0.01;
@@ -42,6 +45,7 @@ std::vector<Named> inelastic_materials() {
           {"stiffening", stiffening},
           {"plateau", plateau},
           {"mullins", mullins},
+          {"curves", curves},
           {"multiplicative", with_branch({0.5, 0.5, Relaxes::all}, Relaxation::multiplicative)},
           {"multiplicative deviator",
            with_branch({0.5, 0.5, Relaxes::deviator}, Relaxation::multiplicative)},

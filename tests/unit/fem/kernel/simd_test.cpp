@@ -59,6 +59,17 @@ TEST(SimdMath, SqrtAgainstLibrary) {
   EXPECT_EQ(sqrt(Real{0.0, 4.0})[0], 0.0);
 }
 
+TEST(SimdMath, InverseCubeRootAgainstLibrary) {
+  test::Random random(4);
+  for (int i = 0; i < 200000; ++i) {
+    const double x = i % 3 == 0 ? 1.0 + 0.5 * random() : std::exp(600.0 * random());
+    const Real found = inverse_cube_root(Real{x, 1.0 / x});
+    ASSERT_LT(units_off(found[0], 1.0L / std::cbrt(static_cast<long double>(x))), 3.0) << x;
+    ASSERT_LT(units_off(found[1], 1.0L / std::cbrt(static_cast<long double>(1.0 / x))), 3.0) << x;
+  }
+  EXPECT_EQ(inverse_cube_root(Real{1.0, 1.0})[0], 1.0);
+}
+
 TEST(SimdMath, ExpAgainstLibrary) {
   test::Random random(2);
   for (int i = 0; i < 200000; ++i) {

@@ -268,11 +268,34 @@ StrainFactor factor(double a, double b, double c, double d) {
   return {.stiffening = a, .softening = b, .densification = c, .mullins = d, .youngs_modulus = 2.8};
 }
 
+/// A factor with a curve beside: two bends, 1 + g between 0.8 and 1.5.
+StrainFactor with_curve(StrainFactor k) {
+  k.curve = {.act = true,
+             .at_zero = -0.1,
+             .place = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5},
+             .change = {-1.0, 3.0, 1.0, -2.0, 2.0, -3.0},
+             .steepest = 3.0};
+  return k;
+}
+
+/// Unloading runs through −0.5, −0.1, −0.2 and zero, so that it bends both ways.
+StrainFactor with_unloading(StrainFactor k) {
+  k.unloading = {.act = true,
+                 .at_zero = -0.5,
+                 .place = {0.0, 0.4, 0.6, 0.8, 0.9},
+                 .change = {1.0, -1.5, 1.0, 0.0, 0.0},
+                 .steepest = 1.0};
+  return k;
+}
+
 /// f is the derivative of Ψ in W at a fixed largest strain, loading or not.
 TEST(StrainFactorTest, FactorIsDerivativeOfEnergy) {
-  for (const auto& k : {factor(2, 0, 0, 0), factor(0, 0.6, 0, 0), factor(0, 0, 30, 0),
-                        factor(0, 0, 0, 0.5), factor(1, 0.3, 20, 0.4)})
-    for (const double strain : {0.01, 0.2, 0.3, 0.7})
+  for (const auto& k :
+       {factor(2, 0, 0, 0), factor(0, 0.6, 0, 0), factor(0, 0, 30, 0), factor(0, 0, 0, 0.5),
+        factor(1, 0.3, 20, 0.4), with_curve(factor(0, 0, 0, 0)),
+        with_curve(factor(1, 0.3, 20, 0.4)), with_unloading(factor(0, 0, 0, 0)),
+        with_unloading(with_curve(factor(1, 0.3, 20, 0.4)))})
+    for (const double strain : {0.01, 0.23, 0.3, 0.7})
       for (const double largest : {1.0, 1.5}) {
         const double w = 0.5 * 2.8 * strain * strain;
         const auto energy = [&](double x) {
@@ -284,6 +307,28 @@ TEST(StrainFactorTest, FactorIsDerivativeOfEnergy) {
                     1e-6)
             << strain;
       }
+}
+
+/// The bends of a material's curves pass through its points.
+TEST(StrainFactorTest, CurvesPassThroughTheirPoints) {
+  Material material;
+  material.youngs_modulus = 2.8;
+  material.strain.curve = {.value = {0.1, -0.2, 0.3, 0.0, 0.4, 0.2}, .reach = 0.5};
+  const StrainFactor k = viscoelastic_constants(material).inelastic.factor;
+  for (int i = 0; i < 7; ++i) {  // flat beyond the last
+    const double strain = 0.1 * i, w = 0.5 * k.youngs_modulus * strain * strain;
+    EXPECT_NEAR(factor_at(k, w, 0.0).value - 1.0, material.strain.curve.value[std::min(i, 5)],
+                1e-12);
+  }
+  material.strain = {};
+  material.strain.unloading.value = {-0.5, -0.3, -0.4, -0.1, -0.05};
+  const StrainFactor m = viscoelastic_constants(material).inelastic.factor;
+  for (int i = 0; i < 6; ++i) {
+    const double share = 1.0 - (1.0 - 0.2 * i) * (1.0 - 0.2 * i), strain = 0.3 * share;
+    const double w = 0.5 * m.youngs_modulus * strain * strain;
+    EXPECT_NEAR(factor_at(m, w, 0.3).value - 1.0, i < 5 ? material.strain.unloading.value[i] : 0.0,
+                1e-12);
+  }
 }
 
 TEST(StrainFactorTest, NothingAtRestAndOnFirstLoading) {
@@ -299,7 +344,9 @@ TEST(StrainFactorTest, NothingAtRestAndOnFirstLoading) {
 
 TEST(StrainFactorTest, WorkIsStoredAndSoftened) {
   // ∫ f dW over loading, unloading, farther loading and release.
-  for (const auto& k : {factor(0, 0, 0, 0.5), factor(2, 0.4, 30, 0.7), factor(1, 0, 0, 0)}) {
+  for (const auto& k : {factor(0, 0, 0, 0.5), factor(2, 0.4, 30, 0.7), factor(1, 0, 0, 0),
+                        with_curve(factor(0, 0, 0, 0.5)), with_unloading(factor(0, 0.4, 0, 0)),
+                        with_unloading(with_curve(factor(0, 0, 0, 0.3)))}) {
     double work = 0.0, largest = 0.0, before = 0.0, force = 1.0;
     const double ends[] = {0.0, 0.3, 0.05, 0.5, 0.0};
     for (int leg = 0; leg < 4; ++leg)
