@@ -100,8 +100,10 @@ void describe(Visitor& visit, Material& material) {
   visit.number<&Material::youngs_modulus>(material,
                                           {.sentence = "Young's modulus at small strain."});
   visit.number<&Material::poisson_ratio>(
-      material, {.sentence = "Poisson ratio of the same state; above 0.45 before or after relaxing, cells have "
-                             "a mean dilatation, against locking."});
+      material,
+      {.sentence =
+           "Poisson ratio of the same state; above 0.45 before or after relaxing, cells have "
+           "a mean dilatation, against locking."});
   visit.choice({.name = "modulus",
                 .sentence = "The state that modulus and Poisson ratio describe.",
                 .presence = Presence::optional},
