@@ -102,6 +102,9 @@ ExitCode run_all(const Session& session, const CampaignOptions& options) {
 
 ExitCode run_campaign_command(const Session& session, const CampaignOptions& options) {
   const bool query = options.what.size() == 2;
+  if (!query && options.what.front() == "query" && !std::filesystem::exists("query"))
+    throw Error(ExitCode::bad_input, "which campaign's results?",
+                {.key = "FILE", .value = "query", .allowed = "query FILE.toml, or query STORE"});
   if (query && options.what.front() != "query")
     throw Error(ExitCode::bad_input, "one campaign at a time",
                 {.key = "FILE", .value = options.what[1], .allowed = "FILE, or query FILE|STORE"});

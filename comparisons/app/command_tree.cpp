@@ -12,7 +12,6 @@ namespace rebound {
 void declare_commands(CLI::App& app, Session& session, Action& chosen) {
   app.set_version_flag("--version", REBOUND_VERSION);
   app.require_subcommand(1);
-  app.footer(exit_code_help());
   for (const Command& command : commands()) {
     CLI::App* sub = app.add_subcommand(command.name, command.summary);
     sub->add_flag_callback(
@@ -25,6 +24,7 @@ void declare_commands(CLI::App& app, Session& session, Action& chosen) {
     const Action action = command.declare(*sub);
     sub->callback([&chosen, action] { chosen = action; });
   }
+  app.footer(exit_code_help());  // now: a command would print it before its own
 }
 
 std::string nearest_usage(const CLI::App& app, const std::vector<std::string>& command_line) {

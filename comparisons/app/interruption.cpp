@@ -43,15 +43,16 @@ extern "C" void ask_to_stop(int) {
 }
 
 /// Nobody has looked: a phase that keeps nothing is ended, one that looks now and then gets a
-/// little longer.
+/// little longer. The reader has an answer within a second in either case.
 extern "C" void end_of_patience(int) {
-  if (heard.load()) return;
   const long look = last_look.load();
-  if (!warned.exchange(true) && look >= 0 && now() - look <= recently) {
+  const bool stopping = heard.load();
+  if (!warned.exchange(true) && (stopping || (look >= 0 && now() - look <= recently))) {
     say(STDERR_FILENO, "\nrebound: stopping; what is complete is kept\n");
-    wait_for(recently, 0);
+    if (!stopping) wait_for(recently, 0);
     return;
   }
+  if (stopping) return;
   if (json_wanted.load())
     say(STDOUT_FILENO,
         "{\"schema\":1,\"error\":{\"code\":130,\"message\":\"interrupted before anything was "

@@ -58,14 +58,14 @@ ExitCode run_lumped(const Session& session, const std::string& file, Derivatives
   if (!session.out.empty()) make_writable_folder(session.out);
   const LumpedResult result = located(document, [&] { return simulate(problem); });
   check_deflection(document, problem.sphere, result.scalars.peak_deflection);
+  Json json = to_json(result);
+  if (derivatives == Derivatives::printed)
+    json["sensitivities"] = located(document, [&] { return sensitivity_table(problem); });
   if (!session.out.empty())
     write_result({.folder = session.out,
                   .effective_toml = write_toml(impact_file),
                   .provenance = provenance_of(session, file, document.text())},
                  result);
-  Json json = to_json(result);
-  if (derivatives == Derivatives::printed)
-    json["sensitivities"] = located(document, [&] { return sensitivity_table(problem); });
   print_result(session, json);
   return ExitCode::done;
 }

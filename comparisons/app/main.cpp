@@ -23,6 +23,27 @@ ExitCode with_output_written(ExitCode code) {
   throw Error(ExitCode::input_output_failed, "standard output cannot be written");
 }
 
+/// What was wrong with a command line, and where to look.
+std::string usage_message(const CLI::App& app, const Session& session,
+                          const CLI::ParseError& error) {
+  const auto& line = session.command_line;
+  const auto all = app.get_subcommands([](const CLI::App*) { return true; });
+  const bool known = std::any_of(all.begin(), all.end(), [&](const CLI::App* command) {
+    return command->get_name() == line[1];
+  });
+  std::string what = error.what();
+  const std::string unreadable = "Could not convert: ";
+  if (what.starts_with(unreadable))
+    what = what.substr(unreadable.size()) + ": the option takes a value of another kind";
+  if (!known && !line[1].starts_with('-'))
+    what = fmt::format("{}: there is no such command", line[1]);
+  const std::string near = nearest_usage(app, line);
+  return fmt::format("{} ({})", what,
+                     !near.empty() ? near
+                     : known       ? fmt::format("`rebound {} --help` says what it takes", line[1])
+                                   : "`rebound --help` lists what there is");
+}
+
 int run(int argc, char** argv) {
   Session session;
   session.command_line.assign(argv, argv + argc);
@@ -42,10 +63,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    const std::string near = nearest_usage(app, session.command_line);
-    const std::string message = fmt::format(
-        "{} ({})", error.what(), near.empty() ? "`rebound --help` lists what there is" : near);
-    return report_error(Error(ExitCode::bad_input, message), wants_json);
+    return report_error(Error(ExitCode::bad_input, usage_message(app, session, error)), wants_json);
   }
   try {
     std::optional<ThreadLimit> limit;

@@ -35,6 +35,11 @@ void ProgressLine::show(double fraction) {
   std::fflush(stderr);
 }
 
+void ProgressLine::say(const std::string& line) {
+  fmt::print(stderr, "{}{}\n", shown_ ? "\r\033[K" : "", line);
+  std::fflush(stderr);
+}
+
 RunControl ProgressLine::control() {
   return {.interrupted = [] { return interrupted(); },
           .progress = [this](double fraction) { show(fraction); }};

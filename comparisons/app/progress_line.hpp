@@ -18,6 +18,9 @@ class ProgressLine {
 
   void show(double fraction);
 
+  /// A line that stays, above this one; at a terminal or not.
+  void say(const std::string& line);
+
   /// For a solver: this line, and the interruption flag. Must not outlive it.
   RunControl control();
 

@@ -13,6 +13,7 @@
 #include "comparisons/evaluation/benchmark/benchmark_file.hpp"
 #include "comparisons/evaluation/convert/conversion_file.hpp"
 #include "comparisons/inference/calibration/calibration_file.hpp"
+#include "comparisons/inference/calibration/material_calibration_file.hpp"
 #include "comparisons/inference/selection/selection_file.hpp"
 #include "comparisons/io/dataset/describe_dataset.hpp"
 #include "comparisons/io/dataset/published_values.hpp"
@@ -21,6 +22,8 @@
 #include "comparisons/io/toml/describe_lumped.hpp"
 #include "comparisons/io/toml/schema_writer.hpp"
 #include "comparisons/studies/campaign/campaign.hpp"
+#include "comparisons/studies/campaign/diagnosis_base.hpp"
+#include "comparisons/studies/study/study_file.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
@@ -37,11 +40,15 @@ const std::vector<Format>& formats() {
       {"fem", [] { return json_schema<FemImpactFile>("Impact file, FE tier"); }},
       {"compress", [] { return json_schema<CompressionProblem>("Compression file"); }},
       {"calibrate", [] { return json_schema<CalibrationFile>("Calibration file"); }},
+      {"calibrate-material",
+       [] { return json_schema<MaterialCalibrationFile>("Calibration file of a material"); }},
       {"benchmark", [] { return json_schema<BenchmarkFile>("Benchmark file"); }},
       {"atlas", [] { return json_schema<AtlasGrid>("Grid of the atlas"); }},
       {"select", [] { return json_schema<SelectionFile>("Selection file"); }},
       {"convert", [] { return json_schema<ConversionRequest>("Conversion file"); }},
       {"campaign", [] { return json_schema<CampaignFile>("Campaign file"); }},
+      {"study", [] { return json_schema<StudyFile>("Study file"); }},
+      {"diagnosis", [] { return json_schema<DiagnosisFile>("Diagnosis that a campaign varies"); }},
       {"compare", [] { return json_schema<CompareFile>("Compare file"); }},
       {"synthesis", [] { return json_schema<SynthesisFile>("Synthesis file"); }},
       {"dataset", [] { return json_schema<Dataset>("Data set, dataset.toml"); }},

@@ -73,7 +73,20 @@ struct StudyRun {
   std::vector<report::Section> paper;        ///< what the printed numbers imply
   std::vector<CoreStudy> cores;              ///< those that are complete
   std::vector<ExperimentStudy> experiments;  ///< likewise
+  bool complete = false;
 };
+
+report::Report report_of(const StudyRun& run) {
+  report::Report page =
+      study_report(run.study, run.cores, run.experiments, run.paper, run.provenance);
+  if (!run.complete)
+    page.subtitle = fmt::format(
+        "Unfinished: {} of {} balls so far, and {} of {} experiments. The rest is being computed, "
+        "or the run was stopped; load the page again to see. {}",
+        run.cores.size(), run.study.cores.size(), run.experiments.size(),
+        run.study.experiments.size(), page.subtitle);
+  return page;
+}
 
 /// Writes what is complete: after every core, so that an interruption keeps it.
 Json write_study(const StudyRun& run) {
@@ -84,8 +97,7 @@ Json write_study(const StudyRun& run) {
   // The pages it leads to are there before a reader can follow a link.
   for (const StudyPage& diagnosis : diagnosis_pages(run.cores, run.experiments, run.provenance))
     report::write_report(diagnosis.report, run.out / diagnosis.file);
-  report::write_report(
-      study_report(run.study, run.cores, run.experiments, run.paper, run.provenance), page);
+  report::write_report(report_of(run), page);
   write_file_atomically(run.out / "study.json", dump(json));
   return json;
 }
@@ -115,6 +127,9 @@ Json run_cores(StudyRun& run) {
       run.cores.push_back(study_core(run.study, run.study.cores[i], control));
       write_core(run.out, run.cores.back(), run.provenance);
       json = write_study(run);
+      if (i == 0)
+        progress.say(fmt::format("core {} is complete; the report so far, which grows: {}",
+                                 run.cores.back().label, (run.out / "report.html").string()));
     }
     RunControl control = whole;
     control.progress = [&](double fraction) {
@@ -129,6 +144,8 @@ Json run_cores(StudyRun& run) {
                      count);
       json = write_study(run);
     }
+    run.complete = true;
+    json = write_study(run);
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted) throw;
     throw Error(
@@ -147,7 +164,7 @@ ExitCode run_study(const Session& session, const std::string& file) {
   make_writable_folder(out);
   const Provenance provenance = provenance_with_fem(session, file, document.text());
 
-  StudyRun run{study, out, provenance, {}, {}, {}};
+  StudyRun run{study, out, provenance, {}, {}, {}, false};
   if (!study.reproduce.empty()) run.paper = report_sections(reproduce(study.reproduce));
   const Json json = run_cores(run);
   if (session.json()) {

@@ -146,7 +146,9 @@ void check(const SphereMeshRequest& request) {
   };
   if (!(request.radius > 0 && std::isfinite(request.radius)))
     refuse("radius", request.radius, "> 0 m");
-  if (request.cells < 20) refuse("cells", request.cells, ">= 20");
+  if (request.cells < 20)
+    throw Error(ExitCode::bad_input, "sphere mesh: cells is out of range",
+                {.key = "cells", .value = std::to_string(request.cells), .allowed = "20 and more"});
   if (!(request.grading >= 1 && request.grading <= largest_grading))
     refuse("grading", request.grading, "[1, 200]");
 }

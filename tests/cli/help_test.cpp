@@ -26,6 +26,7 @@ TEST_F(HelpTest, EveryCommandExplainsItselfAndTheExitCodes) {
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_NE(outcome.output.find("Exit codes:"), std::string::npos) << command;
     EXPECT_NE(outcome.output.find("130"), std::string::npos) << command;
+    EXPECT_EQ(outcome.output.find("Exit codes:"), outcome.output.rfind("Exit codes:")) << command;
   }
 }
 
@@ -58,7 +59,8 @@ TEST_F(HelpTest, WrongUsageIsJsonWhenAskedFor) {
 }
 
 TEST_F(HelpTest, SchemasAreJson) {
-  for (const char* format : {"lumped", "fem", "dataset", "published-values"}) {
+  for (const char* format : {"lumped", "fem", "dataset", "published-values", "study",
+                             "calibrate-material", "diagnosis"}) {
     const auto json = nlohmann::json::parse(rebound({"schema", format}).output);
     EXPECT_EQ(json["type"], "object");
     EXPECT_TRUE(json["properties"].contains("schema"));

@@ -95,6 +95,11 @@ TEST_F(StudyCommandTest, GoesFromDataToReport) {
   const std::string page = read_whole(folder.path() / "results/report.html");
   EXPECT_NE(page.find("test ball"), std::string::npos);
   EXPECT_EQ(page.find("A study of </script>"), std::string::npos);
+  EXPECT_EQ(page.find("Unfinished"), std::string::npos);
+  // Where the first part can be read while the rest runs.
+  EXPECT_NE(outcome.errors.find("the report so far, which grows: results/report.html"),
+            std::string::npos)
+      << outcome.errors;
   EXPECT_TRUE(there("results/study.json"));
 }
 

@@ -11,7 +11,8 @@ void describe(Visitor& visit, BenchmarkRow& row) {
                           "law below is calibrated to the references first.",
               .presence = Presence::optional},
              row.file);
-  if (!visit.refused("file") && row.file.empty()) describe_law_request(visit, row.request);
+  visit.where(!visit.refused("file") && row.file.empty(),
+              [&](Visitor& inner) { describe_law_request(inner, row.request); });
 }
 
 void describe(Visitor& visit, BenchmarkFile& file) {

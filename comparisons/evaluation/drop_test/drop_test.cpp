@@ -123,13 +123,13 @@ void check(const DropOptions& options) {
   const auto require = [](bool good, const char* key, double value, const char* allowed) {
     if (!good)
       throw Error(ExitCode::bad_input, "out of range",
-                  {.key = key, .value = std::to_string(value), .allowed = allowed});
+                  {.key = key, .value = fmt::format("{:g}", value), .allowed = allowed});
   };
-  require(options.height > 0.0 && options.height <= 1000.0, "height", options.height,
+  require(options.height > 0.0 && options.height <= 1000.0, "--height", options.height,
           "above 0, at most 1000 m");
-  require(options.confidence > 0.0 && options.confidence < 1.0, "confidence", options.confidence,
+  require(options.confidence > 0.0 && options.confidence < 1.0, "--confidence", options.confidence,
           "between 0 and 1");
-  require(options.draws >= 100 && options.draws <= 1000000, "draws", options.draws,
+  require(options.draws >= 100 && options.draws <= 1000000, "--draws", options.draws,
           "100 to 1000000");
 }
 

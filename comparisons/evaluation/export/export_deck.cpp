@@ -108,7 +108,7 @@ const ExportTarget& export_target(const std::string& name) {
     if (target.name == name) return target;
     names += (names.empty() ? "" : ", ") + std::string(target.name);
   }
-  throw Error(ExitCode::bad_input, "no deck is written for this code",
+  throw Error(ExitCode::bad_input, "no deck is written for a code of this name",
               {.key = "--to", .value = name, .allowed = names});
 }
 

@@ -91,7 +91,9 @@ std::vector<MeasuredImpact> read_references(const std::filesystem::path& folder)
   if (std::filesystem::exists(folder / "dataset.toml", status)) return from_dataset(folder);
   if (std::filesystem::exists(folder / "result.json", status)) return {from_result(folder)};
   if (!std::filesystem::is_directory(folder, status))
-    throw Error(ExitCode::input_output_failed, "there is no such folder",
+    throw Error(ExitCode::input_output_failed,
+                "there is no such folder: a data set, or what `rebound lumped` or `rebound fem` "
+                "FILE --out FOLDER writes",
                 {.file = folder.string(), .key = "reference.folder"});
   throw Error(ExitCode::bad_input,
               "the folder is neither a data set (dataset.toml) nor a complete result (result.json)",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "comparisons/io/dataset/data_files.hpp"
 #include "comparisons/io/dataset/describe_dataset.hpp"
@@ -79,6 +80,16 @@ void check_tests(const Document& document, const Dataset& dataset) {
 }  // namespace
 
 Dataset read_dataset(const std::filesystem::path& folder) {
+  std::error_code status;
+  if (!std::filesystem::exists(folder / "dataset.toml", status))
+    throw Error(
+        ExitCode::input_output_failed,
+        std::filesystem::is_directory(folder, status)
+            ? "this folder holds no dataset.toml: `rebound init dataset --from FILE` makes one"
+        : std::filesystem::exists(folder, status)
+            ? "a data set is a folder: `rebound init dataset --from FILE` makes one of a file"
+            : "there is no such folder: `rebound init dataset --from FILE` makes a data set",
+        {.file = folder.string()});
   const Document document = Document::load(folder / "dataset.toml");
   Dataset dataset;
   read_document(document, dataset);

@@ -1,11 +1,15 @@
 #include "comparisons/io/toml/document.hpp"
-#include "comparisons/io/text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 #include <utility>
+#include <vector>
+
+#include "comparisons/io/text.hpp"
+#include "comparisons/io/toml/nearest_key.hpp"
 
 namespace rebound {
 namespace {
@@ -55,6 +59,22 @@ ErrorLocation location_of_line(std::string_view text, std::size_t number) {
   return location;
 }
 
+/// Names the file that was meant, where one beside it has nearly its name.
+std::string no_such_file(const std::filesystem::path& file) {
+  constexpr int most = 10'000;
+  std::vector<std::string> names;
+  std::error_code status;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  for (std::filesystem::directory_iterator entry(folder, status), end;
+       !status && entry != end && names.size() < most; entry.increment(status))
+    names.push_back(entry->path().filename().string());
+  std::sort(names.begin(), names.end());  // a folder has no order of its own
+  const std::string near = nearest_key(file.filename().string(), names);
+  if (near.empty()) return "there is no such file";
+  return fmt::format("there is no such file; did you mean {}?",
+                     (file.parent_path() / near).string());
+}
+
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit) {
@@ -63,7 +83,7 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t limit)
   if (std::filesystem::is_directory(file, status))
     throw Error(ExitCode::input_output_failed, "this is a folder, a file is needed", location);
   if (!std::filesystem::exists(file, status))
-    throw Error(ExitCode::input_output_failed, "there is no such file", location);
+    throw Error(ExitCode::input_output_failed, no_such_file(file), location);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error(ExitCode::input_output_failed, "the file cannot be opened", location);
   std::string text(limit + 1, '\0');

@@ -34,6 +34,14 @@ std::string nearest_key(std::string_view word, const std::vector<std::string>& c
       nearest = candidate;
     }
   }
+  constexpr std::size_t enough = 3;
+  if (!nearest.empty() || word.size() < enough) return nearest;
+  // A name that was cut short, "poisson" for "poisson_ratio", where one alone begins so.
+  for (const std::string& candidate : candidates)
+    if (candidate.starts_with(word)) {
+      if (!nearest.empty()) return {};
+      nearest = candidate;
+    }
   return nearest;
 }
 

@@ -105,7 +105,11 @@ void Reader::visit_number(const Key& key, std::optional<double>& value) {
 void Reader::visit_whole(const Key& key, std::optional<std::int64_t>& value) {
   const toml::node* node = find(key);
   if (!node) return;
-  if (!node->is_integer()) return refuse(key, refusal(key, *node, "a whole number is needed here"));
+  if (!node->is_integer())
+    return refuse(
+        key, refusal(key, *node,
+                     node->is_string() ? "a whole number is needed here, without quotation marks"
+                                       : "a whole number is needed here, such as 1000"));
   const std::int64_t whole = node->value<std::int64_t>().value_or(0);
   if (!key.range.contains(static_cast<double>(whole)))
     return refuse(key, refusal(key, *node, out_of_range_text(key.reason)));

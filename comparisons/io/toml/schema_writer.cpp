@@ -11,6 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number_schema(const Key& key) {
+  if (key.unit_of_another) return {{"type", {"number", "string"}}};
   if (!key.unit.empty())
     return {{"type", "string"}, {"x-unit", key.unit}, {"x-allowed", range_text(key)}};
   Json schema{{"type", "number"}};
@@ -100,6 +101,13 @@ void SchemaWriter::cases(const std::vector<std::string>& names, std::string chos
   }
   if (outside) inside_case_ = false;
   choose(chosen);
+}
+
+void SchemaWriter::where(bool, const std::function<void(Visitor&)>& body) {
+  const bool outside = !inside_case_;
+  inside_case_ = true;
+  body(*this);
+  if (outside) inside_case_ = false;
 }
 
 void SchemaWriter::not_available(const std::string&, const std::string&) {}

@@ -27,6 +27,7 @@ class SchemaWriter final : public Visitor {
   void cases(const std::vector<std::string>& names, std::string chosen,
              const std::function<void(const std::string&)>& choose,
              const std::function<void(Visitor&)>& body) override;
+  void where(bool wanted, const std::function<void(Visitor&)>& body) override;
   void not_available(const std::string& name, const std::string& reason) override;
 
  private:

@@ -26,6 +26,7 @@ struct Key {
   std::vector<std::string> allowed{};  ///< the only accepted texts; empty: any text
   std::vector<std::string> later{};    ///< texts that a later version will accept
   std::string reason{};                ///< why the range ends where it does
+  bool unit_of_another = false;        ///< the unit is that of a key named in the file
 };
 
 /// Reading, checking, help, effective configuration and JSON schema are
@@ -66,6 +67,12 @@ class Visitor {
   virtual void cases(const std::vector<std::string>& names, std::string chosen,
                      const std::function<void(const std::string&)>& choose,
                      const std::function<void(Visitor&)>& body) = 0;
+
+  /// Keys that are known only where `wanted`, by what stands above them. A schema, which cannot
+  /// ask, has them in any case and requires none.
+  virtual void where(bool wanted, const std::function<void(Visitor&)>& body) {
+    if (wanted) body(*this);
+  }
 
   /// A key that a later version will know: refused with the reason.
   virtual void not_available(const std::string& name, const std::string& reason) = 0;

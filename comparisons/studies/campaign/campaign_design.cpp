@@ -34,7 +34,8 @@ void describe_factor(Visitor& visit, CampaignFactor& factor, const std::vector<K
                .presence = Presence::optional,
                .unit = factor.about.unit,
                .range = factor.about.range,
-               .reason = factor.about.reason};
+               .reason = factor.about.reason,
+               .unit_of_another = true};
   };
   visit.number(end("low", "Lowest value, in a unit of the key."), factor.low);
   visit.number(end("high", "Highest value, in a unit of the key."), factor.high);

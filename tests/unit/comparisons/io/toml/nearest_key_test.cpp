@@ -14,6 +14,12 @@ TEST(NearestKeyTest, FindsOneTypingError) {
   EXPECT_EQ(nearest_key("relaxation-time", keys), "relaxation_time");
 }
 
+TEST(NearestKeyTest, FindsANameThatWasCutShort) {
+  EXPECT_EQ(nearest_key("poisson", {"mass", "poisson_ratio"}), "poisson_ratio");
+  EXPECT_EQ(nearest_key("relaxation", {"relaxation_time", "relaxation_ratio"}), "");
+  EXPECT_EQ(nearest_key("po", {"mass", "poisson_ratio"}), "");
+}
+
 TEST(NearestKeyTest, SaysNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest_key("colour", {"mass", "diameter"}), "");
   EXPECT_EQ(nearest_key(std::string(100000, 'm'), {"mass"}), "");
