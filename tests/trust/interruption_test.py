@@ -26,7 +26,7 @@ COMMANDS = [
     (["mesh", "--diameter", "66.2 mm", "--cells", "1000000", "--out", "{out}"], [0.1, 0.5, 2.0]),
 ]
 LONG_COMMANDS = [
-    (["fem", "million.toml", "--reference", "--out", "{out}"], [2.0, 12.0]),
+    (["fem", "fine.toml", "--reference", "--out", "{out}"], [2.0, 12.0]),
     (["fem", "implicit.toml", "--out", "{out}"], [0.5, 2.0, 6.0]),
     (["mesh", "--diameter", "66.2 mm", "--cells", "200000", "--unstructured", "--out", "{out}"], [0.5, 3.0]),
     (["study", "study.toml", "--out", "{out}"], [0.3, 1.0, 3.0]),
@@ -50,7 +50,7 @@ ANSWER, END = 1.0, 8.0  # seconds
 def write_files(folder):
     fem = (folder / "fem.toml").read_text(encoding="utf-8")
     files = {"million.toml": fem.replace(*MILLION), "fine.toml": fem.replace("cells = 60", "cells = 60000"),
-             "implicit.toml": fem.replace("cells = 60", 'scheme = "implicit"\ncells = 4000'),
+             "implicit.toml": fem.replace('"explicit"', '"implicit"').replace("cells = 60", "cells = 4000"),
              "fine_compression.toml": re.sub(r"cells = \d+", "cells = 20000",
                                              (folder / "compression.toml").read_text(encoding="utf-8")),
              "fine_material.toml": (folder / "material.toml").read_text(encoding="utf-8").replace("fem.toml", "fine.toml"),
@@ -117,7 +117,8 @@ def main():
                 slowest = max(slowest, answer)
                 if answer > ANSWER or end > END:
                     failures.append(f"{what}: an answer after {answer:.2f} s, the end after {end:.2f} s")
-                if code not in (130, 0, 1) or (code == 130 and "rebound:" not in said):
+                # Within its first milliseconds a program has no handler yet, and is simply ended.
+                if code not in (130, 0, 1, -signal.SIGINT) or (code == 130 and "rebound:" not in said):
                     failures.append(f"{what}: ended with {code}: {said}")
                 if out.exists() and torn_files(out):
                     failures.append(f"{what}: torn {torn_files(out)}")

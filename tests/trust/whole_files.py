@@ -11,7 +11,7 @@ def whole_csv(data):
     text = data.decode("utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     rows = [len(row) for row in csv.reader(lines, delimiter=";" if ";" in text else ",")]
-    return text.endswith("\n") and len(rows) > 1 and len(set(rows)) == 1
+    return text.endswith("\n") and len(set(rows)) == 1
 
 
 def whole_sqlite(path):
