@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/accuracy/tier_comparison/baseline.hpp"
+#include "comparisons/io/results/key_words.hpp"
 
 namespace rebound {
 namespace {
@@ -88,6 +89,12 @@ std::string headline_of(const std::vector<CaseComparison>& cases) {
                      failed.size(), cases.size(), fmt::join(failed, ", "));
 }
 
+/// A number of a scalar, with the unit that its key names.
+report::TableCell with_unit(double value, int digits, const std::string& key) {
+  return report::text_cell(
+      fmt::format("{:.{}g}{}", value, digits, behind_number(words_of_key(key).unit)));
+}
+
 report::Table movement_table(const CaseComparison& one) {
   report::Table table{.title = "Against the baseline",
                       .caption =
@@ -97,15 +104,15 @@ report::Table movement_table(const CaseComparison& one) {
                       .columns = {{"tier"},
                                   {"speed", "m/s", Kind::number},
                                   {"scalar"},
-                                  {"before", "SI", Kind::number, Origin::predicted},
-                                  {"now", "SI", Kind::number, Origin::predicted},
+                                  {"before", "", Kind::text, Origin::predicted},
+                                  {"now", "", Kind::text, Origin::predicted},
                                   {"change", "bars", Kind::number, Origin::derived},
                                   {"measured by"}},
                       .rows = {}};
   for (const Movement& m : one.movements)
     table.rows.push_back({report::text_cell(m.tier), report::number_cell(m.speed, 4),
-                          report::text_cell(m.key), report::number_cell(m.before, 6),
-                          report::number_cell(m.now, 6),
+                          report::text_cell(words_of_key(m.key).quantity),
+                          with_unit(m.before, 6, m.key), with_unit(m.now, 6, m.key),
                           report::text_cell(fmt::format("{:+.3g}", m.bars()),
                                             m.has_moved() ? Verdict::bad : Verdict::good),
                           report::text_cell(name_of(m.measured_by))});
@@ -120,16 +127,16 @@ report::Table gap_table(const CaseComparison& one) {
           "not of the numbers.",
       .columns = {{"speed", "m/s", Kind::number},
                   {"scalar"},
-                  {"lumped", "SI", Kind::number, Origin::predicted},
-                  {"FE", "SI", Kind::number, Origin::predicted},
+                  {"lumped", "", Kind::text, Origin::predicted},
+                  {"FE", "", Kind::text, Origin::predicted},
                   {"gap", "%", Kind::number, Origin::derived},
                   {"gap", "bars", Kind::number, Origin::derived},
                   {"allowed", "%", Kind::number}},
       .rows = {}};
   for (const TierGap& gap : one.gaps)
     table.rows.push_back(
-        {report::number_cell(gap.speed, 4), report::text_cell(gap.key),
-         report::number_cell(gap.lumped, 5), report::number_cell(gap.fem, 5),
+        {report::number_cell(gap.speed, 4), report::text_cell(words_of_key(gap.key).quantity),
+         with_unit(gap.lumped, 5, gap.key), with_unit(gap.fem, 5, gap.key),
          report::text_cell(fmt::format("{:+.2f}", 100.0 * (gap.lumped / gap.fem - 1.0)),
                            gap.fails()         ? Verdict::bad
                            : gap.allowed_share ? Verdict::good
