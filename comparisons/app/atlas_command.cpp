@@ -30,7 +30,7 @@ std::string atlas_help() {
   return "Keys of FILE (TOML), all optional; without FILE the default grid:\n" +
          help_text<AtlasGrid>() +
          fmt::format(
-             "\nWrites atlas.json, atlas.csv, report.html and, one a file, the FE impacts to "
+             "\nWrites atlas.json, atlas.csv, report.html and the FE impacts (impacts.sqlite) to "
              "--out (default {});\nimpacts found there are not run again.\n\n",
              default_folder) +
          exit_code_help();
@@ -66,11 +66,11 @@ ExitCode run_atlas(const Session& session, const std::string& path) {
   }
   const std::filesystem::path out = session.out.empty() ? default_folder : session.out;
   make_writable_folder(out);
-  make_writable_folder(out / "impacts");
+  make_writable_folder(out);
   const Atlas atlas = [&] {
     ProgressLine progress("atlas");
     const RunControl control = progress.control();
-    return make_atlas(grid, runner_of(grid, control), ImpactStore(out / "impacts"), control);
+    return make_atlas(grid, runner_of(grid, control), ImpactStore(out / "impacts.sqlite"), control);
   }();
   Json json = to_json(atlas);
   write_file_atomically(out / "atlas.csv", to_csv(atlas));

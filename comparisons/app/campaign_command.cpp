@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
@@ -19,7 +20,7 @@ namespace {
 
 struct CampaignOptions {
   std::vector<std::string> what;
-  std::string shard, csv, hdf5;
+  std::string shard, csv, hdf5, traces;
 };
 
 std::string campaign_help() {
@@ -30,7 +31,8 @@ std::string campaign_help() {
          "not run again, so the same command goes on after a kill, and costs nothing when done.\n"
          "Several shards, of a job array or of mpirun -n N, share DIR; each writes its own file.\n"
          "campaign query FILE|DIR|FILE.sqlite --csv TABLE.csv merges them into one table, in SI;\n"
-         "--hdf5 TABLE.h5 writes it as data sets, one a column.\n"
+         "--hdf5 TABLE.h5 writes it as data sets, one a column. With traces = true in FILE,\n"
+         "--traces TRACES.csv (or .h5) writes the traces of all members, one below the other.\n"
          "A member that cannot be run (the contact does not end, the combination is refused) is\n"
          "kept with the reason. Results of another program than this one are refused, exit 5.\n\n"
          "  rebound campaign speeds.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT\n"
@@ -46,6 +48,15 @@ std::filesystem::path store_of(const Session& session, const std::filesystem::pa
   return std::filesystem::path("results") / "campaigns" / file.stem();
 }
 
+void write_traces(const Campaign& campaign, const std::filesystem::path& store,
+                  const std::filesystem::path& file) {
+  const CampaignTable traces = query_traces(campaign, store);
+  if (file.extension() == ".h5")
+    write_hdf5(traces, campaign, file);
+  else
+    write_file_atomically(file, csv_of(traces));
+}
+
 ExitCode run_query(const Session& session, const CampaignOptions& options) {
   const std::filesystem::path source = options.what[1];
   const bool is_file = source.extension() == ".toml";
@@ -54,6 +65,7 @@ ExitCode run_query(const Session& session, const CampaignOptions& options) {
   const CampaignTable table = query_campaign(campaign, store);
   if (!options.csv.empty()) write_file_atomically(options.csv, csv_of(table));
   if (!options.hdf5.empty()) write_hdf5(table, campaign, options.hdf5);
+  if (!options.traces.empty()) write_traces(campaign, store, options.traces);
   if (session.json())
     fmt::print("{}", dump({{"schema", 1},
                            {"members", table.members},
@@ -61,14 +73,18 @@ ExitCode run_query(const Session& session, const CampaignOptions& options) {
                            {"failed", table.failed},
                            {"complete", table.found == table.members},
                            {"csv", options.csv},
-                           {"hdf5", options.hdf5}}));
-  else if (options.csv.empty() && options.hdf5.empty())
+                           {"hdf5", options.hdf5},
+                           {"traces", options.traces}}));
+  else if (options.csv.empty() && options.hdf5.empty() && options.traces.empty())
     fmt::print("{}", csv_of(table));
-  else
-    print_text(fmt::format(
-        "{} of {} members, {} without a result, in {}\n", count_text(table.found),
-        count_text(table.members), count_text(table.failed),
-        options.csv + (options.csv.empty() || options.hdf5.empty() ? "" : " and ") + options.hdf5));
+  else {
+    std::vector<std::string> files;
+    for (const std::string& file : {options.csv, options.hdf5, options.traces})
+      if (!file.empty()) files.push_back(file);
+    print_text(fmt::format("{} of {} members, {} without a result, in {}\n",
+                           count_text(table.found), count_text(table.members),
+                           count_text(table.failed), fmt::join(files, " and ")));
+  }
   return ExitCode::done;
 }
 
@@ -108,14 +124,13 @@ ExitCode run_campaign_command(const Session& session, const CampaignOptions& opt
   if (query && options.what.front() != "query")
     throw Error(ExitCode::bad_input, "one campaign at a time",
                 {.key = "FILE", .value = options.what[1], .allowed = "FILE, or query FILE|STORE"});
-  if (!query && !options.csv.empty())
-    throw Error(
-        ExitCode::bad_input, "a table belongs to a query",
-        {.key = "--csv", .value = options.csv, .allowed = "campaign query FILE|STORE --csv"});
-  if (!query && !options.hdf5.empty())
-    throw Error(
-        ExitCode::bad_input, "a table belongs to a query",
-        {.key = "--hdf5", .value = options.hdf5, .allowed = "campaign query FILE|STORE --hdf5"});
+  for (const auto& [key, value] :
+       {std::pair{"--csv", options.csv}, {"--hdf5", options.hdf5}, {"--traces", options.traces}})
+    if (!query && !value.empty())
+      throw Error(ExitCode::bad_input, "a table belongs to a query",
+                  {.key = key,
+                   .value = value,
+                   .allowed = fmt::format("campaign query FILE|STORE {}", key)});
   return query ? run_query(session, options) : run_all(session, options);
 }
 
@@ -131,6 +146,8 @@ Action declare_campaign(CLI::App& command) {
   command.add_option("--csv", options->csv, "Of a query: where the table goes");
   command.add_option("--hdf5", options->hdf5,
                      "Of a query: an HDF5 file with one data set a column");
+  command.add_option("--traces", options->traces,
+                     "Of a query: where the traces go, as CSV or, by the name, HDF5");
   command.footer(campaign_help);
   return [options](const Session& session) { return run_campaign_command(session, *options); };
 }

@@ -117,6 +117,60 @@ TEST_F(CampaignCommand, ShardsAndRanksTogetherAreTheWhole) {
   EXPECT_EQ(read_whole(folder.path() / "again.csv"), whole);
 }
 
+// The launcher itself: three ranks, each with a part and a file of its own.
+TEST_F(CampaignCommand, RanksOfMpirunTogetherAreTheWhole) {
+  run({"many.toml", "--out", "whole"});
+  const Outcome outcome = run_program(
+      {.arguments = {MPIRUN, "--oversubscribe", "-n", "3", REBOUND_PROGRAM, "campaign", "many.toml",
+                     "--out", "ranks", "--threads", "1"},
+       .folder = folder.path(),
+       .environment = {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"}});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output << outcome.errors;
+  for (const char* file : {"ranks/shard-00001-of-00003.sqlite", "ranks/shard-00002-of-00003.sqlite",
+                           "ranks/shard-00003-of-00003.sqlite"})
+    EXPECT_TRUE(there(file)) << file;
+  EXPECT_EQ(table("many.toml", "ranks"), table("many.toml", "whole"));
+}
+
+TEST_F(CampaignCommand, TracesAreKeptWhereTheyAreAskedFor) {
+  folder.write("traced.toml", replaced(speeds, "schema = 1\n", "schema = 1\ntraces = true\n"));
+  run({"traced.toml", "--out", "store"});
+  run({"query", "traced.toml", "--out", "store", "--traces", "traces.csv"});
+  std::istringstream rows(read_whole(folder.path() / "traces.csv"));
+  std::string heading, row;
+  std::getline(rows, heading);
+  EXPECT_EQ(heading, "member,time_s,force_N,deflection_m");
+  // The second member's, line by line, is that of the impact of its file.
+  folder.write("one.toml", replaced(lumped_file, "15 m/s", "10 m/s"));
+  ASSERT_EQ(rebound({"lumped", "one.toml", "--out", "one"}).exit_code, 0);
+  std::istringstream single(read_whole(folder.path() / "one" / "trace.csv"));
+  std::getline(single, heading);
+  int compared = 0;
+  while (std::getline(rows, row))
+    if (row.starts_with("1,")) {
+      std::string expected;
+      std::getline(single, expected);
+      EXPECT_EQ(row.substr(2), expected);
+      ++compared;
+    }
+  EXPECT_GT(compared, 100);
+  EXPECT_EQ(run({"traced.toml", "--out", "store"})["run"], 0);
+  // The same members without traces are other results, and of a campaign without them none come.
+  EXPECT_EQ(run({"speeds.toml", "--out", "store"})["run"], 5);
+  EXPECT_EQ(rebound({"campaign", "query", "speeds.toml", "--out", "store", "--traces", "t.csv"})
+                .exit_code,
+            2);
+}
+
+// In processor time, which other programs do not lengthen. A tenth is far above what is measured
+// (README of the room) and below what a text and a digest of each member cost once.
+TEST_F(CampaignCommand, CostsLittleBesideItsImpacts) {
+  const auto done = run({"many.toml", "--out", "store", "--threads", "1"});
+  const double impacts = done["impact_processor_s"], all = done["processor_s"];
+  EXPECT_GT(impacts, 0.0);
+  EXPECT_LT(all / impacts, 1.10) << all << " s of processor time for impacts of " << impacts;
+}
+
 TEST_F(CampaignCommand, AMemberThatCannotBeRunIsKeptWithItsReason) {
   folder.write("sizes.toml", R"(schema = 1
 base = "ball.toml"
@@ -191,6 +245,7 @@ TEST_F(CampaignCommand, BadUsageIsRefused) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"speeds.toml", "--shard", "4/3"},
         {"speeds.toml", "--csv", "x.csv"},
+        {"speeds.toml", "--traces", "x.csv"},
         {"one.toml", "two.toml"}}) {
     std::vector<std::string> all{"campaign"};
     all.insert(all.end(), arguments.begin(), arguments.end());

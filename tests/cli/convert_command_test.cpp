@@ -52,6 +52,50 @@ TEST_F(ConvertCommand, BadInputNamesTheKey) {
   }
 }
 
+// Lines for a code, errors against what was given and against FE, and what is refused.
+TEST_F(ConvertCommand, ToACode) {
+  folder.write("law.toml", replaced(replaced(convert_file, "\"restitution\"\n",
+                                             "\"law\"\nlaw = \"hunt-crossley\"\n"),
+                                    "stiffness = \"3.5e6 N/m^1.5\"\nrestitution = 0.5\n",
+                                    "[given.parameters]\nexponent = 1.5\n"
+                                    "stiffness = \"3.5e6 N/m^1.5\"\n"
+                                    "damping = \"17.63e4 N.s/m^2.5\"\n"));
+  for (const char* code : {"lammps", "liggghts", "yade", "mercurydpm", "chrono", "simbody", "drake",
+                           "mujoco", "bullet", "ode", "sdf", "urdf"}) {
+    const auto outcome = rebound({"convert", "law.toml", "--to", code});
+    EXPECT_EQ(outcome.exit_code, 0) << code << outcome.errors;
+    EXPECT_NE(outcome.output.find("holds for 89.6 g, 66.2 mm, at 15 m/s"), std::string::npos);
+  }
+  const auto lammps = rebound({"convert", "law.toml", "--to", "lammps", "--speeds", "5 m/s",
+                               "15 m/s", "--json", "--out", "out"});
+  ASSERT_EQ(lammps.exit_code, 0) << lammps.errors;
+  const auto json = nlohmann::json::parse(lammps.output);
+  EXPECT_NE(json["lines"].get<std::string>().find("pair_style granular"), std::string::npos);
+  EXPECT_EQ(json["errors"].size(), 2u);
+  EXPECT_NEAR(json["errors"][1]["law_error"]["restitution"].get<double>(), 0.0, 1e-8);
+  EXPECT_TRUE(json["errors"][1]["fem_error"].is_null());
+  EXPECT_TRUE(there("out/convert.json"));
+}
+
+TEST_F(ConvertCommand, ToACodeRefusals) {
+  folder.write("convert.toml", convert_file);
+  const std::pair<std::vector<std::string>, std::string> cases[] = {
+      {{"--to", "granular"}, "--to"},
+      {{"--fem", "fem.toml"}, "--fem"},
+      {{"--speeds", "5 m/s"}, "--speeds"},
+      {{"--to", "ode", "--step", "0.1"}, "--step"},
+      {{"--to", "ode", "--step", "0.1 m"}, "--step"},
+      {{"--to", "ode", "--speeds", "-5 m/s"}, "--speeds"},
+  };
+  for (const auto& [further, key] : cases) {
+    std::vector<std::string> arguments{"convert", "convert.toml", "--json"};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    const Outcome outcome = rebound(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << key;
+    EXPECT_EQ(nlohmann::json::parse(outcome.output)["error"]["key"], key);
+  }
+}
+
 class DropCommand : public ProgramTest {};
 
 TEST_F(DropCommand, ModelAndCalibration) {

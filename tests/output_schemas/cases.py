@@ -81,6 +81,8 @@ CASES = [
     ["benchmark", "--audit", "fem.toml"],
     ["atlas", "grid.toml", "--out", "atlas"],
     ["convert", "convert.toml"],
+    ["convert", "convert.toml", "--to", "simbody", "--fem", "fem.toml", "--speeds", "15 m/s"],
+    ["convert", "convert.toml", "--to", "ode"],
     ["export", "elastic.toml", "--to", "calculix", "--out", "ccx"],
     ["export", "fem.toml", "--to", "febio", "--out", "febio"],
     ["compare", "compare.toml"],

@@ -1,81 +1,73 @@
 #include "comparisons/evaluation/atlas/impact_store.hpp"
 
+#include <limits>
+
+#include "comparisons/io/result_store/running_program.hpp"
 #include "comparisons/io/results/digest.hpp"
-#include "comparisons/io/results/json.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
-#include "lumped/problem/atomic_file.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
-Json body_of(const AtlasImpact& impact) {
-  const auto& s = impact.shot.scalars;
-  return {{"failure", impact.failure},
-          {"restitution", s.restitution},
-          {"contact_time", s.contact_time},
-          {"contact_time_1pct", s.contact_time_1pct},
-          {"peak_force", s.peak_force},
-          {"peak_deflection", s.peak_deflection},
-          {"mean_deflection", s.mean_deflection},
-          {"rebound_speed", s.rebound_speed},
-          {"time", impact.shot.trace.time},
-          {"force", impact.shot.trace.force},
-          {"deflection", impact.shot.trace.deflection}};
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+MemberResult member_of(const AtlasImpact& impact) {
+  const ImpactScalars& s = impact.shot.scalars;
+  const Trace& trace = impact.shot.trace;
+  return {
+      .scalars = {s.restitution, s.contact_time, s.contact_time_1pct, s.peak_force,
+                  s.peak_deflection, s.mean_deflection, s.rebound_speed, none, none, none},
+      .failure = impact.failure,
+      .trace = {
+          {"time_s", trace.time}, {"force_N", trace.force}, {"deflection_m", trace.deflection}}};
 }
 
-AtlasImpact impact_of(const Json& body, const FemProblem& problem) {
-  AtlasImpact impact;
-  impact.failure = body.at("failure").get<std::string>();
+AtlasImpact impact_of(MemberResult member, const FemProblem& problem) {
+  AtlasImpact impact{.failure = std::move(member.failure), .shot = {}};
   impact.shot.sphere = problem.sphere;
   impact.shot.impact = problem.impact;
-  auto& s = impact.shot.scalars;
-  const std::pair<const char*, double*> scalars[] = {{"restitution", &s.restitution},
-                                                     {"contact_time", &s.contact_time},
-                                                     {"contact_time_1pct", &s.contact_time_1pct},
-                                                     {"peak_force", &s.peak_force},
-                                                     {"peak_deflection", &s.peak_deflection},
-                                                     {"mean_deflection", &s.mean_deflection},
-                                                     {"rebound_speed", &s.rebound_speed}};
-  for (const auto& [key, value] : scalars) *value = body.at(key).get<double>();
+  ImpactScalars& s = impact.shot.scalars;
+  double* const places[] = {&s.restitution,  &s.contact_time,    &s.contact_time_1pct,
+                            &s.peak_force,   &s.peak_deflection, &s.mean_deflection,
+                            &s.rebound_speed};
+  for (std::size_t i = 0; i < std::size(places); ++i) *places[i] = member.scalars[i];
   s.separation = problem.impact.separation;
-  impact.shot.trace.time = body.at("time").get<std::vector<double>>();
-  impact.shot.trace.force = body.at("force").get<std::vector<double>>();
-  impact.shot.trace.deflection = body.at("deflection").get<std::vector<double>>();
+  Trace& trace = impact.shot.trace;
+  for (TraceColumn& column : member.trace) {
+    if (column.name == "time_s") trace.time = std::move(column.values);
+    if (column.name == "force_N") trace.force = std::move(column.values);
+    if (column.name == "deflection_m") trace.deflection = std::move(column.values);
+  }
   return impact;
 }
 
 }  // namespace
 
-std::filesystem::path ImpactStore::file_of(const FemProblem& problem) const {
-  return folder_ / (sha256(write_toml(problem)).substr(0, 24) + ".json");
+ImpactStore::ImpactStore(const std::filesystem::path& file)
+    : program_(running_program()), store_(file, ResultStore::Access::write, program_) {}
+
+std::string ImpactStore::key_of(const FemProblem& problem) const {
+  constexpr std::size_t digits = 32;
+  return sha256(program_ + "\natlas\n" + write_toml(problem)).substr(0, digits);
 }
 
 std::optional<AtlasImpact> ImpactStore::find(const FemProblem& problem) const {
-  const auto file = file_of(problem);
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  const auto corrupt = [&](const std::string& why) {
-    return Error(ExitCode::corrupt_store,
-                 "a stored impact of the atlas is damaged (" + why + "): remove it to run it again",
-                 {.file = file.string()});
-  };
-  try {
-    const Json json = Json::parse(read_text_file(file));
-    if (json.at("sha256") != sha256(json.at("body").dump()))
-      throw corrupt("its digest does not agree");
-    return impact_of(json.at("body"), problem);
-  } catch (const Json::exception& error) {
-    throw corrupt(error.what());
+  const std::string key = key_of(problem);
+  std::optional<MemberResult> member;
+  {
+    const std::lock_guard lock(guard_);
+    member = store_.find(key);
   }
+  if (!member) return std::nullopt;
+  return impact_of(std::move(*member), problem);
 }
 
 void ImpactStore::keep(const FemProblem& problem, const AtlasImpact& impact) const {
-  const Json body = body_of(impact);
-  write_file_atomically(
-      file_of(problem),
-      Json{{"schema", 1}, {"sha256", sha256(body.dump())}, {"body", body}}.dump());
+  const KeptMember member{.key = key_of(problem), .factors = "{}", .result = member_of(impact)};
+  const std::lock_guard lock(guard_);
+  store_.keep({member});
 }
 
 }  // namespace rebound

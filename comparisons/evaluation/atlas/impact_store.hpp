@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 
 #include "comparisons/io/dataset/measured_impact.hpp"
+#include "comparisons/io/result_store/result_store.hpp"
 #include "fem/interface/fem_problem.hpp"
 
 namespace rebound {
@@ -16,20 +18,23 @@ struct AtlasImpact {
   MeasuredImpact shot;
 };
 
-/// Impacts on disk, one file each, named by what was asked. A killed atlas
-/// finds what it had finished.
+/// Impacts in a store of results (comparisons/io/result_store), keyed by what was asked and by the
+/// program that ran them. A killed atlas finds what it had finished. May be called from several
+/// threads at once.
+/// Errors: those of ResultStore, Error(corrupt_store) among them for results of another program.
 class ImpactStore {
  public:
-  explicit ImpactStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit ImpactStore(const std::filesystem::path& file);
 
-  /// Errors: Error(corrupt_store) for a file that is damaged.
   std::optional<AtlasImpact> find(const FemProblem& problem) const;
-  /// Atomically. Errors: Error(input_output_failed).
   void keep(const FemProblem& problem, const AtlasImpact& impact) const;
 
  private:
-  std::filesystem::path file_of(const FemProblem& problem) const;
-  std::filesystem::path folder_;
+  std::string key_of(const FemProblem& problem) const;
+
+  std::string program_;
+  mutable std::mutex guard_;
+  mutable ResultStore store_;
 };
 
 }  // namespace rebound

@@ -6,7 +6,6 @@
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
-namespace {
 
 Observed error_of(const Observed& returned, const Observed& meant) {
   Observed error;
@@ -25,6 +24,8 @@ Asked asked_of(const ConversionRequest& request, const Meaning& meaning) {
           .hertz_stiffness = meaning.hertz_stiffness,
           .elastic_contact_time = meaning.elastic_contact_time};
 }
+
+namespace {
 
 /// Runs what `parameters` gives and records what comes out, or why nothing does.
 template <class Model>

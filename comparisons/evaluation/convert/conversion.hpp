@@ -52,6 +52,10 @@ struct Observed {
   std::optional<double> peak_force;    ///< [N]
 };
 
+/// By how much `returned` misses what was meant, where that is known: e as a difference, time and
+/// force as a share.
+Observed error_of(const Observed& returned, const Observed& meant);
+
 /// What the given parameters mean, before any conversion.
 struct Meaning {
   Observed at_impact;                 ///< at the speed of the conversion

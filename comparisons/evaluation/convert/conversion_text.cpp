@@ -9,12 +9,6 @@ Json or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json to_json(const Observed& o) {
-  return {{"restitution", or_null(o.restitution)},
-          {"contact_time_s", or_null(o.contact_time)},
-          {"peak_force_N", or_null(o.peak_force)}};
-}
-
 Json to_json(const ConvertedLaw& law) {
   if (!law.failure.empty()) return {{"failure", law.failure}};
   Json parameters = Json::array();
@@ -23,10 +17,7 @@ Json to_json(const ConvertedLaw& law) {
   return {{"failure", nullptr},
           {"parameters", parameters},
           {"returned", to_json(law.returned)},
-          {"error",
-           {{"restitution", or_null(law.error.restitution)},
-            {"contact_time", or_null(law.error.contact_time)},
-            {"peak_force", or_null(law.error.peak_force)}}}};
+          {"error", errors_json(law.error)}};
 }
 
 std::string errors(const ConvertedLaw& law) {
@@ -47,6 +38,18 @@ std::string parameters(const ConvertedLaw& law) {
 }
 
 }  // namespace
+
+Json to_json(const Observed& o) {
+  return {{"restitution", or_null(o.restitution)},
+          {"contact_time_s", or_null(o.contact_time)},
+          {"peak_force_N", or_null(o.peak_force)}};
+}
+
+Json errors_json(const Observed& error) {
+  return {{"restitution", or_null(error.restitution)},
+          {"contact_time", or_null(error.contact_time)},
+          {"peak_force", or_null(error.peak_force)}};
+}
 
 Json to_json(const ConversionRequest& request, const ConversionTable& table) {
   Json rows = Json::array();

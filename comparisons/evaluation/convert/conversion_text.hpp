@@ -7,6 +7,10 @@
 
 namespace rebound {
 
+/// null for what is not known.
+Json to_json(const Observed& observed);
+Json errors_json(const Observed& error);
+
 Json to_json(const ConversionRequest& request, const ConversionTable& table);
 std::string to_text(const ConversionRequest& request, const ConversionTable& table);
 

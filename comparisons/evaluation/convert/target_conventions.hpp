@@ -18,6 +18,9 @@ struct Asked {
   double elastic_contact_time = 0.0;  ///< of Hertz with that stiffness [s]
 };
 
+/// What the contact that is given comes to in those terms, at the speed of the conversion.
+Asked asked_of(const ConversionRequest& request, const Meaning& meaning);
+
 /// One way in which codes ask for a contact.
 struct TargetConvention {
   std::string name;

@@ -28,6 +28,9 @@ WantedColumn wanted_force(const TraceChannels& channels, const MeasuredImpact& s
           .unit = channels.force_unit};
 }
 
+/// Of a record of any length: a contact and its quiet are far shorter.
+constexpr KeptRows kept_rows{.column = 1, .before = 400'000, .after = 200'000};
+
 }  // namespace
 
 std::filesystem::path file_in_folder(const Document& document, const std::string& key,
@@ -62,16 +65,22 @@ void read_trace(const Document& document, Dataset& dataset, MeasuredImpact& shot
   const TraceChannels& channels = dataset.channels;
   const auto file = file_in_folder(document, key + ".trace", shot.trace_file);
   LaboratoryTable table =
-      read_laboratory_table(file, {{.heading = or_else(channels.time, "time"),
-                                    .accepted = {dimension::time},
-                                    .increases = true,
-                                    .unit = channels.time_unit},
-                                   wanted_force(channels, shot),
-                                   {.heading = or_else(channels.deflection, "deflection"),
-                                    .accepted = {dimension::length},
-                                    .unit = channels.deflection_unit,
-                                    .is_optional = channels.deflection.empty()}});
+      read_laboratory_table(file,
+                            {{.heading = or_else(channels.time, "time"),
+                              .accepted = {dimension::time},
+                              .increases = true,
+                              .unit = channels.time_unit},
+                             wanted_force(channels, shot),
+                             {.heading = or_else(channels.deflection, "deflection"),
+                              .accepted = {dimension::length},
+                              .unit = channels.deflection_unit,
+                              .is_optional = channels.deflection.empty()}},
+                            kept_rows);
   note_left_out_line(dataset, file, table.left_out_line);
+  if (table.rows_read > table.lines.size())
+    dataset.notes.push_back(fmt::format(
+        "{}: of {} rows those from line {} to {} are kept, around the largest force",
+        file.filename().string(), table.rows_read, table.lines.front(), table.lines.back()));
   constexpr std::size_t fewest_samples = 3;  // the shared scalar definitions need them
   if (table.lines.size() < fewest_samples)
     throw Error(ExitCode::bad_input, "a trace needs at least three samples",

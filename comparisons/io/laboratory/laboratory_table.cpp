@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "comparisons/io/laboratory/array_table.hpp"
+#include "comparisons/io/laboratory/row_window.hpp"
 #include "comparisons/io/laboratory/table_headings.hpp"
 #include "comparisons/io/laboratory/text_lines.hpp"
 
@@ -17,8 +18,11 @@ constexpr std::size_t longest_table = 10'000'000;
 
 class TableReader {
  public:
-  TableReader(const std::filesystem::path& file, const std::vector<WantedColumn>& wanted)
-      : lines_(file), wanted_(wanted) {}
+  TableReader(const std::filesystem::path& file, const std::vector<WantedColumn>& wanted,
+              const std::optional<KeptRows>& kept)
+      : lines_(file), wanted_(wanted) {
+    if (kept) window_.emplace(*kept);
+  }
 
   LaboratoryTable read() {
     find_heading();
@@ -26,7 +30,12 @@ class TableReader {
     while (lines_.next(line))
       if (!is_passed_over(line)) read_row(line);
     if (table_.lines.empty()) lines_.refuse("there are no rows below the heading");
-    if (table_.lines.size() > 1 && unfinished_row_) leave_out_last_row();
+    const bool ends_with_last = table_.lines.back() == last_line_;
+    if (table_.lines.size() > 1 && unfinished_row_ && ends_with_last) leave_out_last_row();
+    if (window_)
+      window_->finish(table_);
+    else
+      table_.rows_read = table_.lines.size();
     return std::move(table_);
   }
 
@@ -70,7 +79,7 @@ class TableReader {
     // Trailing separators, as spreadsheets write them, are no fields.
     if (fields.size() != headings_.size() && !only_empty_beyond(fields, headings_.size()))
       refuse_length(line, fields.size());
-    if (table_.lines.size() == longest_table)
+    if (!window_ && table_.lines.size() == longest_table)
       lines_.refuse(fmt::format("the file has more than {} rows", longest_table));
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       if (positions_[i] == no_position) continue;
@@ -84,6 +93,8 @@ class TableReader {
       if (wanted_[i].increases) need_increase(column, field);
     }
     table_.lines.push_back(lines_.number());
+    last_line_ = lines_.number();
+    if (window_) window_->added(table_);
     unfinished_row_ = lines_.is_unfinished();
   }
 
@@ -146,13 +157,17 @@ class TableReader {
   int heading_line_ = 0;
   bool units_open_ = false;
   bool unfinished_row_ = false;
+  int last_line_ = 0;
+  std::optional<RowWindow> window_;
 };
 
 }  // namespace
 
 LaboratoryTable read_laboratory_table(const std::filesystem::path& file,
-                                      const std::vector<WantedColumn>& wanted) {
-  return is_array_file(file) ? read_array_table(file, wanted) : TableReader(file, wanted).read();
+                                      const std::vector<WantedColumn>& wanted,
+                                      const std::optional<KeptRows>& kept) {
+  return is_array_file(file) ? read_array_table(file, wanted)
+                             : TableReader(file, wanted, kept).read();
 }
 
 }  // namespace rebound

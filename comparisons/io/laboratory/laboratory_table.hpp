@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct LaboratoryTable {
   std::vector<ReadColumn> columns;  ///< as they were wanted
   std::vector<int> lines;           ///< of the rows
   int left_out_line = 0;            ///< of a last row that may be cut off; 0: none was left out
+  std::size_t rows_read = 0;        ///< of which `lines` are kept
+};
+
+/// Which rows are kept of a table that may be longer than the memory.
+struct KeptRows {
+  std::size_t column = 0;             ///< of the wanted ones, whose largest swing is looked for
+  std::size_t before = 0, after = 0;  ///< that many rows around it
 };
 
 /// Reads columns of a table as a laboratory writes it; of MATLAB and HDF5 files, by their names,
@@ -41,13 +49,15 @@ struct LaboratoryTable {
 /// The heading is the first line that holds all wanted columns. A number is taken to SI by the
 /// unit of its column; a column of a dimension without a unit is refused, but for plain numbers.
 /// A last row without a line end is left out: it may have been cut inside a number.
-/// Memory: the columns asked for and one line; at most 10^7 rows and 4096 columns.
+/// Memory: the columns asked for and one line; at most 10^7 rows and 4096 columns. With `kept` that
+///         of its rows, of any number (row_window.hpp); MATLAB and HDF5 files are read whole.
 /// Errors: Error(bad_input) with file, line, column and the heading for a heading that is missing,
 ///         stands twice or has another unit, rows of another length, text or nothing where a
 ///         number is needed, what is not finite, a mix of decimal marks, numbers that do not
 ///         increase; Error(input_output_failed) when the file cannot be read.
 LaboratoryTable read_laboratory_table(const std::filesystem::path& file,
-                                      const std::vector<WantedColumn>& wanted);
+                                      const std::vector<WantedColumn>& wanted,
+                                      const std::optional<KeptRows>& kept = {});
 
 /// What stands in a table, before anyone says which columns are wanted.
 struct TablePreview {

@@ -1,18 +1,34 @@
 #include "comparisons/io/results/digest.hpp"
 
-#include <fmt/format.h>
 #include <openssl/sha.h>
 
 #include <array>
+#include <fstream>
+#include <sstream>
+
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
 std::string sha256(std::string_view bytes) {
   std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
   SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
+  constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (const unsigned char byte : digest) text += fmt::format("{:02x}", byte);
+  text.reserve(2 * digest.size());
+  for (const unsigned char byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
+  }
   return text;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
+  return bytes.str();
 }
 
 }  // namespace rebound

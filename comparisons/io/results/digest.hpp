@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -7,5 +8,8 @@ namespace rebound {
 
 /// SHA-256 as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
+
+/// The bytes of a file. Errors: Error(input_output_failed).
+std::string bytes_of(const std::filesystem::path& file);
 
 }  // namespace rebound

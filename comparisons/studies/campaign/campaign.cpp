@@ -4,12 +4,10 @@
 
 #include <set>
 
+#include "comparisons/io/result_store/running_program.hpp"
 #include "comparisons/io/results/digest.hpp"
-#include "comparisons/io/results/provenance.hpp"
 #include "comparisons/io/toml/describe_impact.hpp"
 #include "comparisons/io/toml/reader.hpp"
-#include "comparisons/models/fem_access/module_loader.hpp"
-#include "comparisons/models/installation.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "comparisons/studies/campaign/campaign_base.hpp"
 #include "lumped/problem/error.hpp"
@@ -49,18 +47,16 @@ std::filesystem::path base_path(const Document& document) {
 
 }  // namespace
 
-std::string running_program() {
-  std::string digest = sha256(bytes_of("/proc/self/exe"));
-  if (has_fem_tier()) digest = sha256(digest + sha256(bytes_of(module_file("rebound_fem"))));
-  return to_json(Provenance{}).at("version").get<std::string>() + "+" + digest.substr(0, 16);
-}
-
 void describe(Visitor& visit, CampaignFile& file) {
   describe_schema(visit);
   visit.text(
       {.name = "base",
        .sentence = "Impact, synthesis, calibration or diagnosis file, relative to this one."},
       file.base);
+  visit.flag({.name = "traces",
+              .sentence = "Keep the trace of every impact in the store, compressed.",
+              .presence = Presence::optional},
+             file.traces);
   visit.table({.name = "design", .sentence = "What of it is varied, and how."}, file.design);
 }
 
@@ -81,6 +77,8 @@ Campaign Campaign::parse(CampaignText text) {
   campaign.file_.design.known = given_numbers(document, *campaign.base_);
   read_document(document, campaign.file_);
   check_design(document, campaign.file_.design);
+  if (campaign.file_.traces && !campaign.base_->of_impacts())
+    throw document.error_at("traces", "only impacts have traces", "false, or absent");
   campaign.program_ = running_program();
   return campaign;
 }

@@ -11,10 +11,10 @@
 #include "comparisons/io/toml/describe_lumped.hpp"
 #include "comparisons/io/toml/impact_file.hpp"
 #include "comparisons/io/toml/reader.hpp"
-#include "comparisons/io/toml/toml_writer.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
+#include "comparisons/studies/campaign/content_bytes.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -27,19 +27,40 @@ MemberResult result_of(const ImpactScalars& s, const Closures& closures, double 
                       closures.energy, momentum}};
 }
 
-MemberResult run_problem(const LumpedProblem& problem, const RunControl&) {
-  const LumpedResult result = simulate(problem);
-  return result_of(result.scalars, result.closures, std::numeric_limits<double>::quiet_NaN());
+enum class Keep { scalars, trace };
+
+std::vector<TraceColumn> columns_of(Trace trace) {
+  std::vector<TraceColumn> columns = {{"time_s", std::move(trace.time)},
+                                      {"force_N", std::move(trace.force)},
+                                      {"deflection_m", std::move(trace.deflection)}};
+  for (TraceColumn& column : trace.further) columns.push_back(std::move(column));
+  return columns;
 }
 
-MemberResult run_problem(const FemProblem& problem, const RunControl& control) {
+template <class Result>
+MemberResult kept_of(Result&& result, double momentum, Keep keep) {
+  MemberResult member = result_of(result.scalars, result.closures, momentum);
+  if (keep == Keep::trace) member.trace = columns_of(std::move(result.trace));
+  return member;
+}
+
+MemberResult run_problem(const LumpedProblem& problem, Keep keep, const RunControl&) {
+  return kept_of(simulate(problem), std::numeric_limits<double>::quiet_NaN(), keep);
+}
+
+MemberResult run_problem(const FemProblem& problem, Keep keep, const RunControl& control) {
   const Mesh mesh = mesh_for(problem, control, worker_threads());
-  const FemResult result = fem_tier().simulate(problem, mesh, control);
+  FemResult result = fem_tier().simulate(problem, mesh, control);
   if (result.incomplete_because.empty())
-    return result_of(result.scalars, result.closures, result.restitution_momentum);
+    return kept_of(std::move(result), result.restitution_momentum, keep);
   if (control.interrupted && control.interrupted())
     throw Error(ExitCode::interrupted, "interrupted");
   return {.failure = result.incomplete_because};
+}
+
+std::string key_of(const Campaign& campaign, const std::string& content) {
+  constexpr std::size_t digits = 32;
+  return sha256(campaign.program() + "\n" + content).substr(0, digits);
 }
 
 /// A refusal that belongs to the member's input; throws what does not.
@@ -86,17 +107,40 @@ struct ImpactBase final : Campaign::Base {
   std::vector<Key> numbers() const override { return numbers_of(file); }
 
   std::unique_ptr<Campaign::Member> member(const Campaign& campaign,
-                                           std::vector<double> values) const override {
-    File varied = file;
-    set_numbers(varied, campaign.design().factors, values);
-    return make_member(
-        campaign, mesh_digest + "\n" + write_toml(varied), std::move(values), [&]() -> MemberWork {
-          return [problem = complete_impact(document, varied)](const RunControl& control) {
-            return run_problem(problem, control);
-          };
-        });
+                                           std::vector<double> values) const override;
+};
+
+/// Its file is completed where it is run: a member that is found needs no more than its key.
+template <class File>
+struct ImpactMember final : Campaign::Member {
+  const ImpactBase<File>* base = nullptr;
+  File varied;
+  Keep keep = Keep::scalars;
+
+  MemberResult run(const RunControl& control) const override {
+    try {
+      File complete = varied;
+      return run_problem(complete_impact(base->document, complete), keep,
+                         {.interrupted = control.interrupted, .progress = {}});
+    } catch (const Error& error) {
+      return {.failure = refusal_of(error)};
+    }
   }
 };
+
+template <class File>
+std::unique_ptr<Campaign::Member> ImpactBase<File>::member(const Campaign& campaign,
+                                                           std::vector<double> values) const {
+  auto made = std::make_unique<ImpactMember<File>>();
+  made->base = this;
+  made->varied = file;
+  made->keep = campaign.keeps_traces() ? Keep::trace : Keep::scalars;
+  set_numbers(made->varied, campaign.design().factors, values);
+  made->key = key_of(campaign, mesh_digest + (campaign.keeps_traces() ? "\ntraces\n" : "\n") +
+                                   content_bytes(made->varied));
+  made->values = std::move(values);
+  return made;
+}
 
 }  // namespace
 
@@ -120,8 +164,7 @@ std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const st
                                               std::vector<double> values,
                                               const std::function<MemberWork()>& prepare) {
   auto made = std::make_unique<PreparedMember>();
-  constexpr std::size_t digits = 32;
-  made->key = sha256(campaign.program() + "\n" + content).substr(0, digits);
+  made->key = key_of(campaign, content);
   made->values = std::move(values);
   try {
     made->work = prepare();
@@ -129,14 +172,6 @@ std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const st
     made->refusal = refusal_of(error);
   }
   return made;
-}
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
-  return bytes.str();
 }
 
 std::string digest_of_folder(const std::filesystem::path& folder) {

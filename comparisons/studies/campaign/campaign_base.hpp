@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/io/results/digest.hpp"
 #include "comparisons/studies/campaign/campaign.hpp"
 #include "comparisons/studies/campaign/each_number.hpp"
 
@@ -43,9 +44,6 @@ using MemberWork = std::function<MemberResult(const RunControl&)>;
 std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const std::string& content,
                                               std::vector<double> values,
                                               const std::function<MemberWork()>& prepare);
-
-/// The bytes of a file. Errors: Error(input_output_failed).
-std::string bytes_of(const std::filesystem::path& file);
 
 /// Of all files in a folder, their names and bytes: SHA-256. Errors: Error(input_output_failed).
 std::string digest_of_folder(const std::filesystem::path& folder);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
 #include "comparisons/io/laboratory/array_table.hpp"
-#include "comparisons/studies/campaign/result_store.hpp"
+#include "comparisons/io/result_store/result_store.hpp"
+#include "comparisons/io/result_store/running_program.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -80,18 +82,18 @@ std::string text_cell(std::string text) {
 
 }  // namespace
 
-CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::path& store) {
+namespace {
+
+using SeenMember = std::function<void(std::size_t number, const std::vector<double>& factors,
+                                      MemberResult result)>;
+
+/// Shows every member that a store has; counts them in `table`.
+void each_member(const Campaign& campaign, const std::filesystem::path& store, CampaignTable& table,
+                 const SeenMember& seen) {
   std::vector<ResultStore> stores;
   for (const auto& file : store_files(store))
     stores.emplace_back(file, ResultStore::Access::read, campaign.program());
-  CampaignTable table;
   table.members = campaign.size();
-  Columns columns;
-  std::vector<std::string> failures;
-  columns.declare("member");
-  for (const CampaignFactor& factor : campaign.design().factors) columns.declare(factor.key);
-  if (campaign.of_impacts())
-    for (const char* name : member_scalars) columns.declare(name);
   DesignSampler sampler(campaign.design());
   for (std::size_t first = 0; first < table.members; first += members_at_once) {
     std::vector<std::size_t> numbers;
@@ -105,11 +107,51 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
       if (!result) continue;
       ++table.found;
       if (!result->failure.empty()) ++table.failed;
-      add_member(campaign, numbers[i], members[i]->values, *result, columns, failures);
+      seen(numbers[i], members[i]->values, std::move(*result));
     }
   }
+}
+
+}  // namespace
+
+CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::path& store) {
+  CampaignTable table;
+  Columns columns;
+  std::vector<std::string> failures;
+  columns.declare("member");
+  for (const CampaignFactor& factor : campaign.design().factors) columns.declare(factor.key);
+  if (campaign.of_impacts())
+    for (const char* name : member_scalars) columns.declare(name);
+  each_member(campaign, store, table,
+              [&](std::size_t number, const std::vector<double>& factors, MemberResult result) {
+                add_member(campaign, number, factors, result, columns, failures);
+              });
   table.columns = columns.take();
   table.columns.push_back({.name = "failure", .texts = std::move(failures)});
+  table.rows = table.found;
+  return table;
+}
+
+CampaignTable query_traces(const Campaign& campaign, const std::filesystem::path& store) {
+  if (!campaign.keeps_traces())
+    throw Error(ExitCode::bad_input, "this campaign keeps no traces",
+                {.file = campaign.text().file, .key = "traces", .allowed = "traces = true"});
+  CampaignTable table;
+  Columns columns;
+  columns.declare("member");
+  each_member(campaign, store, table,
+              [&](std::size_t number, const std::vector<double>&, const MemberResult& result) {
+                const std::size_t samples =
+                    result.trace.empty() ? 0 : result.trace.front().values.size();
+                for (std::size_t i = 0; i < samples; ++i) {
+                  columns.add_row();
+                  columns.add("member", static_cast<double>(number));
+                  for (const TraceColumn& column : result.trace)
+                    columns.add(column.name, column.values.at(i));
+                }
+                table.rows += samples;
+              });
+  table.columns = columns.take();
   return table;
 }
 
@@ -117,7 +159,7 @@ std::string csv_of(const CampaignTable& table) {
   std::string csv;
   for (const ArrayColumn& column : table.columns) csv += (csv.empty() ? "" : ",") + column.name;
   csv += "\n";
-  for (std::size_t row = 0; row < table.found; ++row) {
+  for (std::size_t row = 0; row < table.rows; ++row) {
     for (const ArrayColumn& column : table.columns) {
       if (&column != table.columns.data()) csv += ",";
       if (!column.texts.empty())

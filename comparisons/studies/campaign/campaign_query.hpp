@@ -13,9 +13,14 @@ namespace rebound {
 /// a column each; and how many there are. NaN is no number.
 struct CampaignTable {
   std::vector<ArrayColumn> columns;
-  std::size_t members = 0, found = 0, failed = 0;
+  std::size_t members = 0, found = 0, failed = 0, rows = 0;
 };
 CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::path& store);
+
+/// Traces of the members that are in the store, one below the other: member number, then the
+/// columns of a trace; NaN where a member's trace has none of that name. Errors: Error(bad_input)
+/// for a campaign that keeps no traces.
+CampaignTable query_traces(const Campaign& campaign, const std::filesystem::path& store);
 
 /// With 17 digits; texts in double quotes, and with single ones inside.
 std::string csv_of(const CampaignTable& table);

@@ -17,6 +17,9 @@ struct CampaignProgress {
   std::size_t failed = 0;        ///< of all these, without a result
   double impact_seconds = 0.0;   ///< in impacts, summed over threads
   double elapsed_seconds = 0.0;  ///< of the whole
+  /// Processor time of the impacts, and of all from the first look into the store [s]: what a busy
+  /// machine does not lengthen.
+  double impact_processor_seconds = 0.0, processor_seconds = 0.0;
   int threads = 1;
   std::filesystem::path file;
 
@@ -28,7 +31,7 @@ Json to_json(const CampaignProgress& progress);
 
 /// Runs the members of a shard whose results are not in `store` (a folder) and keeps each there.
 ///
-/// Results are kept at least every 50 ms as members end: a killed process loses what was run in
+/// Results are kept at least every 100 ms as members end: a killed process loses what was run in
 /// that time. A shard writes to a file of its own; results in files of other divisions of the same
 /// folder are used. Memory does not grow with the members -> README, and the sampler's own. Errors:
 /// Error(interrupted) after what was run is kept; those of ResultStore.

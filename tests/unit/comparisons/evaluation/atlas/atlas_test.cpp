@@ -74,7 +74,7 @@ TEST(AtlasGridTest, DefaultHasFiveHundredImpactsAndSkipsTheUnreachable) {
 TEST(AtlasTest, DiagonalIsTheBenchmark) {
   testing::TemporaryFolder folder;
   std::atomic<int> runs = 0;
-  const Atlas atlas = make_atlas(small, StandIn{runs}, ImpactStore(folder.path()));
+  const Atlas atlas = make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
   EXPECT_EQ(runs, 9);
   const auto& laws = atlas_laws();
   for (const auto& entry : atlas.entries)
@@ -104,7 +104,7 @@ TEST(AtlasTest, DiagonalIsTheBenchmark) {
 
 TEST(AtlasTest, GoesOnWhereItWas) {
   testing::TemporaryFolder folder;
-  const ImpactStore store(folder.path());
+  const ImpactStore store(folder.path() / "impacts.sqlite");
   std::atomic<int> runs = 0;
   const RunControl stop{.interrupted = [&] { return runs >= 4; }, .progress = {}};
   EXPECT_THROW(make_atlas(small, StandIn{runs}, store, stop), Error);
@@ -121,13 +121,13 @@ TEST(AtlasTest, GoesOnWhereItWas) {
 TEST(AtlasTest, DamagedImpactIsCorrupt) {
   testing::TemporaryFolder folder;
   std::atomic<int> runs = 0;
-  make_atlas(small, StandIn{runs}, ImpactStore(folder.path()));
+  make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
   for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
     std::ofstream(file.path()) << "{\"schema\":1";
     break;
   }
   try {
-    make_atlas(small, StandIn{runs}, ImpactStore(folder.path()));
+    make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::corrupt_store);
@@ -142,7 +142,7 @@ TEST(AtlasTest, AFailedImpactLeavesItsCellsEmpty) {
     if (problem.impact.speed > 0.08 * atlas_wave_speed()) result.incomplete_because = "inverted";
     return result;
   };
-  const Atlas atlas = make_atlas(small, fails, ImpactStore(folder.path()));
+  const Atlas atlas = make_atlas(small, fails, ImpactStore(folder.path() / "impacts.sqlite"));
   EXPECT_EQ(atlas.entries[0].cells[0][0][2].failure, "inverted");
   EXPECT_EQ(atlas.entries[0].cells[0][2][0].failure, "inverted");
   EXPECT_EQ(atlas.entries[0].cells[0][0][1].failure, "");

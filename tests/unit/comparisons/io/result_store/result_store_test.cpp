@@ -1,4 +1,4 @@
-#include "comparisons/studies/campaign/result_store.hpp"
+#include "comparisons/io/result_store/result_store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <limits>
 #include <thread>
 
-#include "comparisons/studies/campaign/shard.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -152,13 +151,17 @@ TEST_F(ResultStoreTest, AChangedBitOfAValueIsSeen) {
   }
 }
 
-TEST(ShardTest, PartsAreReadAndTheirLimitsHeld) {
-  const Shard shard = parse_shard("3/10");
-  EXPECT_EQ(shard.number, 3u);
-  EXPECT_EQ(shard.of, 10u);
-  for (const char* text :
-       {"", "3", "0/10", "11/10", "3/", "/3", "a/b", "1/2/3", "-1/2", "1/200000"})
-    EXPECT_THROW(parse_shard(text), Error) << text;
+TEST_F(ResultStoreTest, ATraceComesBackToTheBit) {
+  KeptMember one = member(1);
+  one.result.trace = {{"time_s", {0.0, 1e-3, std::sqrt(1e-5)}}, {"force_N", {-0.0, 12.5, 1e-300}}};
+  ResultStore(file, Access::write, "one").keep({one, member(2)});
+  ResultStore store(file, Access::read, "one");
+  const auto found = store.find("key1");
+  ASSERT_EQ(found->trace.size(), 2u);
+  EXPECT_EQ(found->trace[1].name, "force_N");
+  EXPECT_EQ(found->trace[0].values, one.result.trace[0].values);
+  EXPECT_TRUE(std::signbit(found->trace[1].values[0]));
+  EXPECT_TRUE(store.find("key2")->trace.empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "comparisons/studies/campaign/sqlite.hpp"
+#include "comparisons/io/result_store/sqlite.hpp"
 
 #include <limits>
 
@@ -60,6 +60,12 @@ void Statement::bind(int place, const std::string& text) {
                                       static_cast<int>(text.size()), SQLITE_TRANSIENT));
 }
 
+void Statement::bind_bytes(int place, const std::string& bytes) {
+  if (bytes.empty()) return clear(place);
+  database_.require(
+      sqlite3_bind_blob64(handle_.get(), place, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+}
+
 void Statement::clear(int place) {
   database_.require(sqlite3_bind_null(handle_.get(), place));
 }
@@ -78,6 +84,13 @@ double Statement::number(int column) const {
   if (sqlite3_column_type(handle_.get(), column) == SQLITE_NULL)
     return std::numeric_limits<double>::quiet_NaN();
   return sqlite3_column_double(handle_.get(), column);
+}
+
+std::string Statement::bytes(int column) const {
+  const void* bytes = sqlite3_column_blob(handle_.get(), column);
+  const int size = sqlite3_column_bytes(handle_.get(), column);
+  return bytes ? std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(size))
+               : std::string();
 }
 
 std::string Statement::text(int column) const {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/studies/campaign/campaign.hpp"
+#include "comparisons/io/result_store/stored_member.hpp"
 
 namespace rebound {
 
@@ -17,11 +17,13 @@ struct KeptMember {
   MemberResult result;
 };
 
-/// Results of members in one SQLite file, by their keys; write-ahead log, so that a process that is
-/// killed loses nothing that was kept -> test CampaignCommand.KilledAtAnyTimeItGoesOnToTheSameBits.
-/// Two processes may write to one file: each waits for the other.
+/// Results of members (of a campaign, of the atlas) in one SQLite file, by their keys; write-ahead
+/// log, so that a process that is killed loses nothing that was kept -> test
+/// CampaignCommand.KilledAtAnyTimeItGoesOnToTheSameBits. Two processes may write to one file: each
+/// waits for the other.
 ///
-///   member       key, one column a scalar, failure, factors, number of named values, checksum
+///   member       key, one column a scalar, failure, factors, number of named values,
+///                packed trace, checksum
 ///   named_value  key, place, name, number or text: of members that are no impacts
 ///   campaign     sha256, and the texts and names of both files
 ///   about        program: version that made the results
@@ -43,7 +45,8 @@ class ResultStore {
   /// In one transaction: all are kept, or none. Those that are there already stay.
   void keep(const std::vector<KeptMember>& members);
 
-  void keep_campaign(const Campaign& campaign);
+  /// `digest` of both texts.
+  void keep_campaign(const std::string& digest, const CampaignText& text);
   std::vector<CampaignText> campaigns();
 
   const std::filesystem::path& file() const;

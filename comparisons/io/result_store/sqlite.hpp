@@ -34,14 +34,16 @@ class Statement {
   void bind(int place, double value);  ///< NaN as NULL
   void bind(int place, std::int64_t value);
   void bind(int place, const std::string& text);
-  void clear(int place);  ///< NULL
-  bool step();            ///< is there a row?
+  void bind_bytes(int place, const std::string& bytes);  ///< none as NULL
+  void clear(int place);                                 ///< NULL
+  bool step();                                           ///< is there a row?
   void reset();
 
   bool has(int column) const { return sqlite3_column_type(handle_.get(), column) != SQLITE_NULL; }
   double number(int column) const;  ///< NULL as NaN
   std::int64_t whole(int column) const { return sqlite3_column_int64(handle_.get(), column); }
   std::string text(int column) const;
+  std::string bytes(int column) const;  ///< NULL as none
 
  private:
   const Sqlite& database_;

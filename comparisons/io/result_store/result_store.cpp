@@ -1,33 +1,41 @@
-#include "comparisons/studies/campaign/result_store.hpp"
+#include "comparisons/io/result_store/result_store.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "comparisons/io/results/digest.hpp"
-#include "comparisons/studies/campaign/sqlite.hpp"
-#include "comparisons/studies/campaign/store_file.hpp"
+#include "comparisons/io/result_store/packed_trace.hpp"
+#include "comparisons/io/result_store/sqlite.hpp"
+#include "comparisons/io/result_store/store_file.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
-std::string bits_of(double value) {
-  return fmt::format("{:x},",
-                     std::isnan(value) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(value));
+void add_bits(std::string& bytes, double value) {
+  const std::uint64_t bits =
+      std::isnan(value) ? ~std::uint64_t{0} : std::bit_cast<std::uint64_t>(value);
+  bytes.append(reinterpret_cast<const char*>(&bits), sizeof bits);
 }
 
-/// First digits of SHA-256 over key and bits of a row: a changed bit of a value is seen.
-std::int64_t checksum(const std::string& key, const MemberResult& result) {
+/// CRC-32 over key and bits of a row: a changed bit of a value is seen.
+std::int64_t checksum(const std::string& key, const MemberResult& result,
+                      const std::string& trace) {
   std::string bytes = key + "\n" + result.failure + "\n";
-  for (const double value : result.scalars) bytes += bits_of(value);
+  for (const double value : result.scalars) add_bits(bytes, value);
   for (const auto& [name, value] : result.values) {
-    const double* number = std::get_if<double>(&value);
-    bytes += fmt::format("\n{}={}", name, number ? bits_of(*number) : std::get<std::string>(value));
+    bytes += "\n" + name + "=";
+    if (const double* number = std::get_if<double>(&value))
+      add_bits(bytes, *number);
+    else
+      bytes += std::get<std::string>(value);
   }
-  return static_cast<std::int64_t>(std::stoull(sha256(bytes).substr(0, 15), nullptr, 16));
+  bytes += trace;
+  return static_cast<std::int64_t>(
+      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 void keep_values(Statement& insert, const KeptMember& member) {
@@ -74,11 +82,21 @@ struct ResultStore::Connection {
           fmt::format("{}; run with another --out, or read it with the program of its results",
                       program));
     if (access == Access::write) database.execute("PRAGMA synchronous=NORMAL");
-    select.emplace(database, ("SELECT failure, checksum, named" + scalar_columns() +
+    select.emplace(database, ("SELECT failure, checksum, named, trace" + scalar_columns() +
                               " FROM member WHERE key = ?")
                                  .c_str());
     select_values.emplace(
         database, "SELECT name, number, text FROM named_value WHERE key = ? ORDER BY place");
+  }
+
+  void prepare_to_keep() {
+    if (insert) return;
+    std::string places = "?";
+    for (std::size_t i = 0; i < member_scalars.size() + 5; ++i) places += ", ?";
+    insert.emplace(database, ("INSERT OR IGNORE INTO member (key" + scalar_columns() +
+                              ", failure, factors, named, trace, checksum) VALUES (" + places + ")")
+                                 .c_str());
+    insert_value.emplace(database, "INSERT OR IGNORE INTO named_value VALUES (?, ?, ?, ?, ?)");
   }
 
   void find_values(const std::string& key, std::vector<NamedValue>& values) {
@@ -95,6 +113,7 @@ struct ResultStore::Connection {
 
   Sqlite database;
   std::optional<Statement> select, select_values;
+  std::optional<Statement> insert, insert_value;  ///< once there is something to keep
 };
 
 ResultStore::ResultStore(const std::filesystem::path& file, Access access,
@@ -117,25 +136,23 @@ std::optional<MemberResult> ResultStore::find(const std::string& key) {
   }
   MemberResult result{.failure = select.text(0)};
   for (std::size_t i = 0; i < member_scalars.size(); ++i)
-    result.scalars[i] = select.number(static_cast<int>(i) + 3);
+    result.scalars[i] = select.number(static_cast<int>(i) + 4);
   if (select.whole(2) > 0) connection_->find_values(key, result.values);
-  const bool whole = select.whole(1) == checksum(key, result);
+  const std::string trace = select.bytes(3);
+  const bool whole = select.whole(1) == checksum(key, result, trace);
   select.reset();
   if (!whole) refuse_store(file(), "a stored member is damaged: its checksum does not agree");
+  if (!trace.empty()) result.trace = unpacked(trace);
   return result;
 }
 
 void ResultStore::keep(const std::vector<KeptMember>& members) {
   if (members.empty()) return;
   Sqlite& database = connection_->database;
+  connection_->prepare_to_keep();
+  Statement& insert = *connection_->insert;
   database.execute("BEGIN IMMEDIATE");
   try {
-    std::string places = "?";
-    for (std::size_t i = 0; i < member_scalars.size() + 4; ++i) places += ", ?";
-    Statement insert(database, ("INSERT OR IGNORE INTO member (key" + scalar_columns() +
-                                ", failure, factors, named, checksum) VALUES (" + places + ")")
-                                   .c_str());
-    Statement insert_value(database, "INSERT OR IGNORE INTO named_value VALUES (?, ?, ?, ?, ?)");
     for (const KeptMember& member : members) {
       int place = 1;
       insert.bind(place++, member.key);
@@ -143,22 +160,27 @@ void ResultStore::keep(const std::vector<KeptMember>& members) {
       insert.bind(place++, member.result.failure);
       insert.bind(place++, member.factors);
       insert.bind(place++, static_cast<std::int64_t>(member.result.values.size()));
-      insert.bind(place, checksum(member.key, member.result));
+      const std::string trace =
+          member.result.trace.empty() ? std::string() : packed(member.result.trace);
+      insert.bind_bytes(place++, trace);
+      insert.bind(place, checksum(member.key, member.result, trace));
       insert.step();
       insert.reset();
-      keep_values(insert_value, member);
+      keep_values(*connection_->insert_value, member);
     }
     database.execute("COMMIT");
   } catch (...) {
+    connection_->insert->reset();
+    connection_->insert_value->reset();
     sqlite3_exec(database.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
     throw;
   }
 }
 
-void ResultStore::keep_campaign(const Campaign& campaign) {
+void ResultStore::keep_campaign(const std::string& digest, const CampaignText& kept) {
   Statement insert(connection_->database, "INSERT OR IGNORE INTO campaign VALUES (?, ?, ?, ?, ?)");
-  insert.bind(1, campaign.digest());
-  const auto& [file, text, base_file, base_text] = campaign.text();
+  insert.bind(1, digest);
+  const auto& [file, text, base_file, base_text] = kept;
   int place = 2;
   for (const std::string& part : {file, text, base_file, base_text}) insert.bind(place++, part);
   insert.step();

@@ -1,4 +1,4 @@
-#include "comparisons/studies/campaign/store_file.hpp"
+#include "comparisons/io/result_store/store_file.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -11,15 +11,15 @@
 #include <fstream>
 #include <string_view>
 
-#include "comparisons/studies/campaign/campaign.hpp"
-#include "comparisons/studies/campaign/sqlite.hpp"
+#include "comparisons/io/result_store/sqlite.hpp"
+#include "comparisons/io/result_store/stored_member.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
 constexpr std::uint32_t application = 0x52424E44;  // "RBND": a store of campaigns
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr std::size_t header_size = 100;
 
 std::uint32_t big_endian(const std::array<char, header_size>& bytes, std::size_t at) {
@@ -74,18 +74,18 @@ void make_store_file(const std::filesystem::path& file, const std::string& progr
   try {
     Sqlite made(part, SQLITE_OPEN_READWRITE);
     made.execute(
-        fmt::format(
-            "PRAGMA application_id={}; PRAGMA user_version={}; PRAGMA "
-            "journal_mode=WAL; BEGIN;"
-            "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL);"
-            "CREATE TABLE campaign (sha256 TEXT PRIMARY KEY, file TEXT, text TEXT, "
-            "base_file TEXT, base_text TEXT);"
-            "CREATE TABLE member (key TEXT PRIMARY KEY{}, failure TEXT NOT "
-            "NULL, factors TEXT NOT NULL, named INTEGER NOT NULL, checksum INTEGER NOT NULL) "
-            "WITHOUT ROWID;"
-            "CREATE TABLE named_value (key TEXT, place INTEGER, name TEXT NOT NULL, "
-            "number REAL, text TEXT, PRIMARY KEY (key, place)) WITHOUT ROWID;",
-            application, format_version, scalar_columns(" REAL"))
+        fmt::format("PRAGMA application_id={}; PRAGMA user_version={}; PRAGMA "
+                    "journal_mode=WAL; BEGIN;"
+                    "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL);"
+                    "CREATE TABLE campaign (sha256 TEXT PRIMARY KEY, file TEXT, text TEXT, "
+                    "base_file TEXT, base_text TEXT);"
+                    "CREATE TABLE member (key TEXT PRIMARY KEY{}, failure TEXT NOT "
+                    "NULL, factors TEXT NOT NULL, named INTEGER NOT NULL, trace BLOB, checksum "
+                    "INTEGER NOT NULL) "
+                    "WITHOUT ROWID;"
+                    "CREATE TABLE named_value (key TEXT, place INTEGER, name TEXT NOT NULL, "
+                    "number REAL, text TEXT, PRIMARY KEY (key, place)) WITHOUT ROWID;",
+                    application, format_version, scalar_columns(" REAL"))
             .c_str());
     Statement about(made, "INSERT INTO about VALUES ('program', ?)");
     about.bind(1, program);
