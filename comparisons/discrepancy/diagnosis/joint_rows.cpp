@@ -91,6 +91,7 @@ MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::si
   MeasurementChain chain;
   chain.shot = seen_.shots[shot].number;
   chain.bandwidth = seen_.shots[shot].force_bandwidth.value_or(chain.bandwidth);
+  chain.filter_class = seen_.shots[shot].force_filter_class.value_or(0.0);
   chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
   apply_effects(effects_at(values), chain);
   nuisances_.apply(values, shot, chain);

@@ -10,10 +10,10 @@
 #include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
-#include "comparisons/discrepancy/inspection/channel_filter.hpp"
 #include "comparisons/discrepancy/inspection/shots_together.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
+#include "comparisons/models/instrument/channel_filter.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound {

@@ -1,5 +1,5 @@
-#include "comparisons/discrepancy/inspection/channel_filter.hpp"
 #include "comparisons/discrepancy/inspection/inspection_output.hpp"
+#include "comparisons/models/instrument/channel_filter.hpp"
 
 namespace rebound {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "comparisons/discrepancy/inspection/channel_filter.hpp"
 #include "comparisons/discrepancy/inspection/inspection_output.hpp"
+#include "comparisons/models/instrument/channel_filter.hpp"
 
 namespace rebound {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "comparisons/discrepancy/synthesis/random_effects.hpp"
 #include "comparisons/io/dataset/describe_dataset.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"
@@ -130,6 +131,19 @@ void describe(Visitor& visit, SynthesisSampling& sampling) {
                sampling.after);
 }
 
+void describe(Visitor& visit, RandomEffects& random) {
+  visit.whole({.name = "count",
+               .sentence = "How many effects are drawn beside those of the model; the truth says "
+                           "which.",
+               .range = from_to(0.0, 4.0)},
+              random.count);
+  visit.texts({.name = "among",
+               .sentence = "Names that are drawn from; absent: all that the tier has a form for, "
+                           "without free forms.",
+               .presence = optional},
+              random.among);
+}
+
 void describe(Visitor& visit, SynthesisFile& file) {
   describe_schema(visit);
   visit.text({.name = "name", .sentence = "What the data set is called.", .presence = optional},
@@ -150,6 +164,12 @@ void describe(Visitor& visit, SynthesisFile& file) {
               file.instrument);
   visit.table({.name = "sampling", .sentence = "How the force is sampled.", .presence = optional},
               file.sampling);
+  visit.table(
+      {.name = "random",
+       .sentence = "Effects drawn by the seed: kind, sign where both are possible, and size, "
+                   "a third to three times what would surprise nobody.",
+       .presence = optional},
+      file.random);
   visit.list({.name = "shot", .sentence = "One impact; repeat for more.", .presence = optional},
              file.shots);
 }
@@ -164,6 +184,7 @@ SynthesisFile read_uncompleted_synthesis(const Document& document) {
 void complete_synthesis(const Document& document, SynthesisFile& file) {
   check_density(document, file.sphere);
   check_shots(document, file);
+  draw_effects(document, file);
   resolve_mesh(document, file.fem.mesh_file);
 }
 

@@ -28,9 +28,16 @@ struct SynthesisShot {
 
 /// How the force is sampled.
 struct SynthesisSampling {
-  double rate = 200e3;     ///< [Hz]
-  double before = 0.2e-3;  ///< recorded before first touch [s]
-  double after = 0.5e-3;   ///< recorded after separation [s]
+  double rate = 200e3;          ///< [Hz]
+  double before = 0.2e-3;       ///< recorded before first touch [s]
+  double after = 0.5e-3;        ///< recorded after separation [s]
+  double trigger_jitter = 0.0;  ///< one standard deviation of first touch in the record [s]
+};
+
+/// Effects that are drawn, of which the file does not say which.
+struct RandomEffects {
+  int count = 0;
+  std::vector<std::string> among;  ///< empty: all that the tier has a form for, but free forms
 };
 
 /// A whole synthetic experiment: a model of either tier with effects, an
@@ -45,6 +52,7 @@ struct SynthesisFile {
   LumpedModel lumped;  ///< of the lumped tier
   FemProblem fem;      ///< of the FE tier; its sphere and impact are not used
   std::vector<EffectChoice> effects;
+  RandomEffects random;
   Instrument instrument;
   SynthesisSampling sampling;
   std::vector<SynthesisShot> shots;
@@ -52,6 +60,7 @@ struct SynthesisFile {
 
 void describe(Visitor& visit, SynthesisShot& shot);
 void describe(Visitor& visit, SynthesisSampling& sampling);
+void describe(Visitor& visit, RandomEffects& random);
 void describe(Visitor& visit, SynthesisFile& file);
 
 /// Reads a synthesis file. A plain impact file is one too: its one impact,

@@ -41,11 +41,35 @@ double as_recorded(double reading, const MeasurementChain& chain) {
   return step > 0.0 ? step * std::round(reading / step) : reading;
 }
 
+/// The noise of a force, one standard deviation per sample, that forgets itself in a time of its
+/// own.
+///
+///   n₀ = σ ξ,   n_i = ρ n_(i−1) + σ √(1 − ρ²) ξ,   ρ = exp(−Δt/τ)
+class ForceNoiseDraw {
+ public:
+  ForceNoiseDraw(const Instrument& instrument, double interval)
+      : deviation_(instrument.force_noise.value_or(0.0)),
+        kept_(instrument.noise_correlation_time
+                  ? std::exp(-interval / *instrument.noise_correlation_time)
+                  : 0.0) {}
+  double next(Normal& normal) {
+    const double fresh = deviation_ * normal();
+    last_ = first_ ? fresh : kept_ * last_ + std::sqrt(1.0 - kept_ * kept_) * fresh;
+    first_ = false;
+    return last_;
+  }
+
+ private:
+  double deviation_, kept_, last_ = 0.0;
+  bool first_ = true;
+};
+
 /// The chain of one shot; faults of other shots are not in it.
 MeasurementChain chain_of(const SynthesisFile& file, std::size_t shot) {
   MeasurementChain chain;
   chain.shot = static_cast<int>(shot);
   chain.bandwidth = file.instrument.force_bandwidth.value_or(chain.bandwidth);
+  chain.filter_class = file.instrument.force_filter_class.value_or(0.0);
   apply_effects(file.effects, chain);
   return chain;
 }
@@ -69,8 +93,8 @@ Trace record(const Recording& recording, const SimulatedImpact& impact, Normal& 
   MeasurementChain chain = recording.chain;
   chain.trigger_shift += sampling.before;
   trace.force = reported_force(contact, chain, trace.time);
-  const double noise = recording.file.instrument.force_noise.value_or(0.0);
-  for (double& force : trace.force) force = as_recorded(force + noise * normal(), chain);
+  ForceNoiseDraw noise(recording.file.instrument, 1.0 / sampling.rate);
+  for (double& force : trace.force) force = as_recorded(force + noise.next(normal), chain);
   if (recording.file.instrument.deflection == DeflectionOrigin::independent) {
     trace.deflection = reported_deflection(impact.trace, chain, trace.time);
     const double scatter = recording.file.instrument.deflection_noise.value_or(0.0);
@@ -115,9 +139,17 @@ MeasuredImpact measure(const Recording& recording, const SynthesisShot& wanted,
   if (wanted.contact_time_uncertainty) {
     const double threshold = std::max(recording.chain.contact_threshold,
                                       recording.file.instrument.contact_threshold.value_or(0.0));
-    const double time = reported_contact_time(impact.trace, impact.scalars.contact_time, threshold);
+    double time = reported_contact_time(impact.trace, impact.scalars.contact_time, threshold);
+    double variance = *wanted.contact_time_uncertainty * *wanted.contact_time_uncertainty;
+    if (const auto& rate = recording.file.instrument.camera_rate) {
+      // Frames that show contact are counted; where the first falls is not known: two edges, each
+      // even over a frame.
+      const double phase = 0.5 * (1.0 + std::erf(normal() / std::sqrt(2.0)));
+      time = std::floor(time * *rate + phase) / *rate;
+      variance += 1.0 / (6.0 * *rate * *rate);
+    }
     shot.contact_time = {.value = time + *wanted.contact_time_uncertainty * normal(),
-                         .uncertainty = wanted.contact_time_uncertainty};
+                         .uncertainty = std::sqrt(variance)};
   }
   return shot;
 }
@@ -152,6 +184,8 @@ Synthesis synthesize(const SynthesisFile& file, const ImpactSimulator& simulate,
       Normal normal(file.seed, ++stream);
       recording.chain = chain_of(file, dataset.shots.size() + 1);
       recording.chain.force_gain += result.true_force_gain;
+      if (file.sampling.trigger_jitter > 0.0)
+        recording.chain.trigger_shift += file.sampling.trigger_jitter * normal();
       recording.chain.deflection_gain = deflection_gain;
       const double reported = wanted.speed + wanted.speed_uncertainty.value_or(0.0) * normal();
       const double speed = reported / (1.0 + recording.chain.speed_error);

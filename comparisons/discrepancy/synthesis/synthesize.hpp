@@ -42,10 +42,12 @@ struct Synthesis {
 ///   mass, gain   drawn once from their stated uncertainties
 ///   speed        drawn for every shot from its own
 ///   force        reported_force() of the impact on an even time grid, plus
-///                white noise of the stated standard deviation
+///                noise of the stated standard deviation, white or with its correlation time
 ///   deflection   where it is independent, reported_deflection() of the impact on the same grid
 ///                plus white noise of its own; its scale is drawn as the gain is
-///   scalars      with their stated errors
+///   scalars      with their stated errors; contact times in whole frames, where a camera's rate is
+///                stated
+///   first touch  scatters by the trigger's jitter
 ///
 /// Every shot has its own stream of numbers from seed and place, so that data
 /// do not depend on the order in which shots are made.

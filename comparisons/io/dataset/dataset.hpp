@@ -15,6 +15,8 @@ struct Instrument {
   std::optional<double> force_noise;             ///< one σ per sample [N]
   std::optional<double> force_gain_uncertainty;  ///< relative, one σ [-]
   std::optional<double> force_bandwidth;         ///< [Hz]
+  std::optional<double> force_filter_class;      ///< of SAE J211, applied to the record [Hz]
+  std::optional<double> noise_correlation_time;  ///< of the force's noise, first order [s]
   std::optional<double> contact_threshold;       ///< force that starts and ends contact [N]
   std::optional<double> camera_rate;             ///< [Hz]
   DeflectionOrigin deflection = DeflectionOrigin::unknown;

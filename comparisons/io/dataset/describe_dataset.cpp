@@ -43,6 +43,20 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .unit = "kHz",
                 .range = above(0.0)},
                instrument.force_bandwidth);
+  visit.number({.name = "force_filter_class",
+                .sentence = "Channel frequency class (SAE J211) by which the record was filtered, "
+                            "without delay: 60, 180, 600, 1000.",
+                .presence = optional,
+                .unit = "Hz",
+                .range = from_to(1.0, 1e6)},
+               instrument.force_filter_class);
+  visit.number({.name = "noise_correlation_time",
+                .sentence = "Time in which the force's noise forgets itself (first-order "
+                            "autoregressive); absent: samples are independent.",
+                .presence = optional,
+                .unit = "ms",
+                .range = above(0.0)},
+               instrument.noise_correlation_time);
   visit.number({.name = "contact_threshold",
                 .sentence = "Force at which contact was taken to start and to end.",
                 .presence = optional,
@@ -50,7 +64,8 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .range = at_least(0.0)},
                instrument.contact_threshold);
   visit.number({.name = "camera_rate",
-                .sentence = "Frames per second of the camera that gave the speeds.",
+                .sentence = "Frames per second of the camera that gave the speeds and, in a "
+                            "synthesis, counts contact times in whole frames.",
                 .presence = optional,
                 .unit = "Hz",
                 .range = above(0.0)},

@@ -67,6 +67,8 @@ struct MeasuredImpact {
   std::optional<double> speed_uncertainty{};  ///< one standard deviation [m/s]
   std::optional<double> contact_threshold{};  ///< force that starts and ends contact [N]
   std::optional<double> force_bandwidth{};    ///< of the force channel, -3 dB [Hz]
+  std::optional<double>
+      force_filter_class{};  ///< of SAE J211, by which the force was filtered [Hz]
 
   std::string trace_file{};  ///< as written; empty: none
   std::string channel{};     ///< column of its force, where one file holds several shots

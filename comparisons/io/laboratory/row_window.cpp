@@ -35,11 +35,13 @@ void RowWindow::added(LaboratoryTable& table) {
 }
 
 void RowWindow::finish(LaboratoryTable& table) {
+  const int left_out_line = table.left_out_line;
   if (found_)
     table = std::move(*found_);
   else
     keep_last(table, kept_.before + rows_ - peak_ + 1);
-  table.rows_read = rows_;
+  table.left_out_line = left_out_line;
+  table.rows_read = rows_ - (left_out_line == 0 ? 0 : 1);
 }
 
 }  // namespace rebound

@@ -31,7 +31,8 @@ struct Burst {
 
 /// How what happened differs from what is reported. At the defaults, not at all.
 ///
-///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered, late and drooping,
+///   force       min[(1 + g) F + b + d u + hum + burst, L],  F filtered, late and drooping, then
+///               behind a filter without delay where the record is of an SAE J211 class,
 ///               g gain error, b baseline, d drift, u time since first touch, L clipping level;
 ///               with its noise rounded to steps of the recorder
 ///   time        (1 + s) u + trigger shift,                  s error of the time base
@@ -57,7 +58,9 @@ struct MeasurementChain {
   double second_lag = 0.0;         ///< τ of another behind it [s]
   Hum hum;
   Burst burst;
-  double time_base = 0.0;                                           ///< s [-]
+  double time_base = 0.0;  ///< s [-]
+  /// Of the record's software filter without delay, SAE J211; 0: none [Hz].
+  double filter_class = 0.0;
   double clipping_level = std::numeric_limits<double>::infinity();  ///< L [N]
   double rounding_step = 0.0;  ///< of the recorder, which rounds the noise, too; 0: none [N]
   /// Which shot of the data it serves, from 1; 0: none. Faults of one shot act where it is theirs.
@@ -74,6 +77,7 @@ struct MeasurementChain {
         Limit{&MeasurementChain::second_lag, "second_lag", "s", at_least(0.0)},
         Limit{&MeasurementChain::time_base, "time_base", "", above(-1.0)},
         Limit{&MeasurementChain::clipping_level, "clipping_level", "N", above(0.0), none},
+        Limit{&MeasurementChain::filter_class, "filter_class", "Hz", at_least(0.0)},
         Limit{&MeasurementChain::rounding_step, "rounding_step", "N", at_least(0.0)}};
   }
   friend bool operator==(const MeasurementChain&, const MeasurementChain&) = default;

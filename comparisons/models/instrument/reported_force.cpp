@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/models/instrument/butterworth.hpp"
+#include "comparisons/models/instrument/channel_filter.hpp"
 #include "comparisons/models/instrument/disturbance.hpp"
 #include "comparisons/models/instrument/droop.hpp"
 #include "comparisons/models/instrument/lag.hpp"
@@ -43,18 +44,36 @@ double force_at(const Trace& trace, double time, std::size_t& from) {
          s * rest * (rest * leaving + s * arriving);
 }
 
-/// The filtered contact on an even grid that reaches as far as `last`.
-Trace filtered(const Trace& contact, double bandwidth, double last) {
-  const double end = std::max(last, contact.time.back());
-  constexpr double most_steps = 1e5;
-  const double step = sample_step(contact, end - contact.time.front(), most_steps);
+/// The contact on an even grid, zero around it.
+Trace on_even_grid(const Trace& contact, double first, double last, double step) {
   Trace even;
   std::size_t from = 0;
-  for (double t = contact.time.front(); t <= end + step; t += step) {
+  for (double t = first; t <= last + step; t += step) {
     even.time.push_back(t);
     even.force.push_back(force_at(contact, t, from));
   }
+  return even;
+}
+
+constexpr double most_steps = 1e5;
+
+/// The filtered contact on an even grid that reaches as far as `last`.
+Trace filtered(const Trace& contact, double bandwidth, double last) {
+  const double end = std::max(last, contact.time.back());
+  const double step = sample_step(contact, end - contact.time.front(), most_steps);
+  Trace even = on_even_grid(contact, contact.time.front(), end, step);
   even.force = Butterworth({.corner = bandwidth, .sampling_rate = 1.0 / step}).filter(even.force);
+  return even;
+}
+
+/// Behind a filter without delay, which smears a contact over the time before it, too.
+Trace filtered_by_class(const Trace& contact, double filter_class, double last) {
+  const double reach = 1.0 / filter_class, first = contact.time.front() - reach;
+  const double end = std::max(last, contact.time.back() + reach);
+  // Fine enough for the filter, however coarse the contact is sampled.
+  const double step = std::min(sample_step(contact, end - first, most_steps), 0.05 / filter_class);
+  Trace even = on_even_grid(contact, first, end, step);
+  even.force = channel_filtered(even.force, step, filter_class);
   return even;
 }
 
@@ -69,6 +88,7 @@ Trace passed_by_filters(const Trace& contact, const MeasurementChain& chain, dou
   for (const double lag : {chain.lag, chain.second_lag})
     if (lag != 0.0) passed = with_lag(passed, lag, last);
   if (chain.droop != 0.0) passed = with_droop(passed, chain.droop, last);
+  if (chain.filter_class > 0.0) passed = filtered_by_class(passed, chain.filter_class, last);
   return passed;
 }
 
@@ -84,7 +104,7 @@ std::vector<double> reported_force(const Trace& contact, const MeasurementChain&
     return (t - chain.trigger_shift) / (1.0 + chain.time_base);
   };
   const bool ideal = std::isinf(chain.bandwidth) && chain.droop == 0.0 && chain.lag == 0.0 &&
-                     chain.second_lag == 0.0;
+                     chain.second_lag == 0.0 && chain.filter_class == 0.0;
   const Trace passed =
       ideal ? Trace{} : passed_by_filters(contact, chain, since_touch(time.back()));
   const Trace& source = ideal ? contact : passed;

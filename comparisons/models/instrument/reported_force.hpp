@@ -12,7 +12,8 @@ namespace rebound {
 ///
 ///   F_reported(t) = min[(1 + g) F(u) + added(u), L],   u = (t − t_s)/(1 + s)
 ///
-///   F      behind the filters of the chain: low-pass (butterworth.hpp), droop (droop.hpp)
+///   F      behind the filters of the chain: low-pass (butterworth.hpp), droop (droop.hpp), class
+///          of SAE J211 (channel_filter.hpp)
 ///   added  baseline, drift, hum and burst (disturbance.hpp) [N]
 ///   t_s    trigger shift: first touch by the recorder's clock [s]
 ///   s      by which the recorder's clock runs fast, counted from first touch [-]

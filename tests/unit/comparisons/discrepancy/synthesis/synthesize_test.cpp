@@ -170,5 +170,69 @@ TEST(TruthTest, ASealHoldsTheTruthsBytesAndCannotBeGuessed) {
   EXPECT_EQ(Json::parse(one.truth)["nonce"].get<std::string>().size(), 64u);
 }
 
+/// Differences of one record from the ideal one.
+std::vector<double> noise_of(const SynthesisFile& file) {
+  SynthesisFile quiet = file;
+  quiet.instrument.force_noise.reset();
+  std::vector<double> noise = make(file).dataset.shots[0].trace.force;
+  const auto ideal = make(quiet).dataset.shots[0].trace.force;
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] -= ideal[i];
+  return noise;
+}
+
+double correlation_of_neighbours(const std::vector<double>& noise) {
+  double product = 0.0, square = 0.0;
+  for (std::size_t i = 1; i < noise.size(); ++i) {
+    product += noise[i] * noise[i - 1];
+    square += noise[i] * noise[i];
+  }
+  return product / square;
+}
+
+TEST(SynthesizeTest, NoiseIsWhiteOrHasItsTime) {
+  SynthesisFile file = two_shots();
+  file.sampling = {.rate = 1e6, .before = 1e-3, .after = 1e-3};
+  file.instrument.force_noise = 10.0;
+  EXPECT_NEAR(correlation_of_neighbours(noise_of(file)), 0.0, 0.06);
+  file.instrument.noise_correlation_time = 5e-6;
+  const auto coloured = noise_of(file);
+  EXPECT_NEAR(correlation_of_neighbours(coloured), std::exp(-0.2), 0.06);
+  double square = 0.0;
+  for (const double value : coloured) square += value * value;
+  EXPECT_NEAR(std::sqrt(square / static_cast<double>(coloured.size())), 10.0, 1.5);
+}
+
+TEST(SynthesizeTest, TheTriggerJitters) {
+  SynthesisFile file = two_shots();
+  file.shots = {{.speed = 15.0, .repeats = 40}};
+  file.sampling.trigger_jitter = 50e-6;
+  double sum = 0.0, squares = 0.0;
+  const Synthesis made = make(file);
+  for (const MeasuredImpact& shot : made.dataset.shots) {
+    const auto& force = shot.trace.force;
+    const auto first = std::find_if(force.begin(), force.end(), [](double f) { return f > 20.0; });
+    const double touch = shot.trace.time[static_cast<std::size_t>(first - force.begin())];
+    sum += touch;
+    squares += touch * touch;
+  }
+  const double mean = sum / 40.0;
+  EXPECT_NEAR(std::sqrt(squares / 40.0 - mean * mean), 50e-6, 20e-6);
+}
+
+TEST(SynthesizeTest, ACameraCountsFrames) {
+  SynthesisFile file = two_shots();
+  file.instrument.camera_rate = 4000.0;
+  file.shots = {{.speed = 15.0, .repeats = 30, .contact_time_uncertainty = 1e-9}};
+  const Synthesis made = make(file);
+  double sum = 0.0;
+  for (const MeasuredImpact& shot : made.dataset.shots) {
+    const double frames = *shot.contact_time.value * 4000.0;
+    EXPECT_NEAR(frames, std::round(frames), 1e-3);
+    EXPECT_NEAR(*shot.contact_time.uncertainty, 1.0 / (std::sqrt(6.0) * 4000.0), 1e-8);
+    sum += *shot.contact_time.value;
+  }
+  EXPECT_NEAR(sum / 30.0, made.hidden[0].scalars.contact_time, 0.1e-3);  // no bias
+}
+
 }  // namespace
 }  // namespace rebound

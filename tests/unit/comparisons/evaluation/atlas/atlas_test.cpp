@@ -74,7 +74,8 @@ TEST(AtlasGridTest, DefaultHasFiveHundredImpactsAndSkipsTheUnreachable) {
 TEST(AtlasTest, DiagonalIsTheBenchmark) {
   testing::TemporaryFolder folder;
   std::atomic<int> runs = 0;
-  const Atlas atlas = make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
+  const Atlas atlas =
+      make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
   EXPECT_EQ(runs, 9);
   const auto& laws = atlas_laws();
   for (const auto& entry : atlas.entries)

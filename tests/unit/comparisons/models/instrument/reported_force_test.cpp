@@ -130,5 +130,24 @@ TEST(ReportedForceTest, ATraceOfOneSampleIsRefused) {
                Error);
 }
 
+// A filter of an SAE J211 class has no delay: the peak stays where it was, lower by what the filter
+// takes of a half sine, and the smear reaches as far before first touch as after the end.
+TEST(ReportedForceTest, AFilterOfAClassLowersWithoutDelay) {
+  const Trace contact = half_sine();
+  std::vector<double> time;
+  for (int i = -400; i <= 800; ++i) time.push_back(i * 5e-6);
+  const auto force = reported_force(contact, {.filter_class = 180.0}, time);
+  const auto peak = std::max_element(force.begin(), force.end());
+  EXPECT_NEAR(time[static_cast<std::size_t>(peak - force.begin())], 1e-3, 1e-5);
+  EXPECT_LT(*peak, 950.0);
+  EXPECT_GT(*peak, 500.0);
+  for (int k = 0; k <= 500; k += 50)  // even about the middle of the contact
+    EXPECT_NEAR(force[static_cast<std::size_t>(600 + k)], force[static_cast<std::size_t>(600 - k)],
+                1.0);
+  EXPECT_GT(force[380], 10.0);  // before first touch
+  const auto wide = reported_force(contact, {.filter_class = 1e5}, contact.time);
+  for (std::size_t i = 20; i + 20 < wide.size(); ++i) EXPECT_NEAR(wide[i], contact.force[i], 0.5);
+}
+
 }  // namespace
 }  // namespace rebound

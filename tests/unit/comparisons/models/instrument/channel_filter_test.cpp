@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/inspection/channel_filter.hpp"
+#include "comparisons/models/instrument/channel_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
