@@ -70,8 +70,13 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
       mesh_for(FemProblem{.sphere = dataset.sphere, .mesh_file = request.mesh_file});
   }
   request.hold_out = options.hold_out != "none";
-  if (request.hold_out && !options.hold_out.empty())
-    request.held_out_speed = parse_quantity(options.hold_out, dimension::speed);
+  if (request.hold_out && !options.hold_out.empty()) try {
+      request.held_out_speed = parse_quantity(options.hold_out, dimension::speed);
+    } catch (const Error& error) {
+      throw Error(
+          error.code(), error.what(),
+          {.key = "--hold-out", .value = options.hold_out, .allowed = "e.g. \"15 m/s\", or none"});
+    }
   return request;
 }
 

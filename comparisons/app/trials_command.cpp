@@ -140,7 +140,7 @@ Action declare_trials(CLI::App& command) {
   command
       .add_option("--count", options->count,
                   "Diagnose at most so many now; the same command goes on with the rest")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1'000'000));
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
   command.add_flag("--mixed", options->mixed,
                    "Take outcomes of several thresholds or programs together, and say so");

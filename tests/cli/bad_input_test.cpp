@@ -163,5 +163,40 @@ TEST_F(NoSuchFileTest, IsAReadingFailureThatNamesTheFile) {
     }
 }
 
+TEST_F(NoSuchFileTest, TheOneThatWasMeantIsNamed) {
+  folder.write("ball.toml", lumped_file);
+  EXPECT_NE(rebound({"lumped", "bal.toml"}).errors.find("did you mean ball.toml?"),
+            std::string::npos);
+  EXPECT_EQ(rebound({"lumped", "xyzzy.txt"}).errors.find("did you mean"), std::string::npos);
+}
+
+TEST_F(NoSuchFileTest, WhereADataSetIsAskedForSaysHowToMakeOne) {
+  folder.write("ball.toml", lumped_file);
+  for (const char* what : {"ball.toml", "nowhere", "."}) {
+    const Outcome outcome = rebound({"inspect", what});
+    EXPECT_EQ(outcome.exit_code, 4) << what;
+    EXPECT_NE(outcome.errors.find("rebound init dataset --from FILE"), std::string::npos) << what;
+  }
+}
+
+class RefusedWithAnOption : public ProgramTest {};
+
+TEST_F(RefusedWithAnOption, NothingIsLeftBesideTheError) {
+  folder.write("ball.toml", lumped_file + "[[model.effect]]\nname = \"relaxation\"\nsize = 0.1\n");
+  const Outcome outcome = rebound({"lumped", "ball.toml", "--sensitivities", "--out", "results"});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+  EXPECT_FALSE(there("results/result.json"));
+  EXPECT_FALSE(there("results/trace.csv"));
+}
+
+TEST_F(RefusedWithAnOption, ItsNameValueAndRangeAreSaid) {
+  folder.write("ball.toml", lumped_file);
+  const std::string confidence = rebound({"drop", "ball.toml", "--confidence", "2"}).errors;
+  EXPECT_NE(confidence.find("--confidence = 2: out of range"), std::string::npos) << confidence;
+  EXPECT_NE(confidence.find("between 0 and 1"), std::string::npos) << confidence;
+  EXPECT_NE(rebound({"lumped"}).errors.find("`rebound lumped --help`"), std::string::npos);
+  EXPECT_NE(rebound({"help"}).errors.find("there is no such command"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace rebound::testing

@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 def whole_csv(data):
     text = data.decode("utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
-    rows = [len(row) for row in csv.reader(lines, delimiter=";" if ";" in text else ",")]
+    rows = lines and [len(row) for row in csv.reader(lines, delimiter=";" if ";" in lines[0] else ",")]
     return text.endswith("\n") and len(set(rows)) == 1
 
 

@@ -1,9 +1,11 @@
 #include "comparisons/evaluation/export/export_deck.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "comparisons/io/toml/nearest_key.hpp"
 #include "fem/interface/check_problem.hpp"
 #include "fem/interface/elastic_models.hpp"
 #include "fem/interface/engineering_moduli.hpp"
@@ -103,13 +105,16 @@ std::string head(const ExportTarget& target, const FemProblem& problem, const Ex
 }  // namespace
 
 const ExportTarget& export_target(const std::string& name) {
-  std::string names;
+  std::vector<std::string> names;
   for (const ExportTarget& target : export_targets()) {
     if (target.name == name) return target;
-    names += (names.empty() ? "" : ", ") + std::string(target.name);
+    names.emplace_back(target.name);
   }
-  throw Error(ExitCode::bad_input, "no deck is written for a code of this name",
-              {.key = "--to", .value = name, .allowed = names});
+  const std::string near = nearest_key(name, names);
+  throw Error(ExitCode::bad_input,
+              "no deck is written for a code of this name" +
+                  (near.empty() ? near : fmt::format("; did you mean {}?", near)),
+              {.key = "--to", .value = name, .allowed = fmt::format("{}", fmt::join(names, ", "))});
 }
 
 ExportedDeck export_deck(const ExportTarget& target, const FemProblem& problem, const Mesh& mesh) {

@@ -13,13 +13,13 @@ void describe_sphere(Visitor& visit, Dataset& dataset) {
                 .sentence = "One standard deviation of the mass.",
                 .presence = optional,
                 .unit = "g",
-                .range = at_least(0.0)},
+                .range = from_to(0.0, largest_reading)},
                dataset.mass_uncertainty);
   visit.number({.name = "diameter_uncertainty",
                 .sentence = "One standard deviation of the diameter.",
                 .presence = optional,
                 .unit = "mm",
-                .range = at_least(0.0)},
+                .range = from_to(0.0, largest_reading)},
                dataset.diameter_uncertainty);
 }
 
@@ -30,7 +30,7 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .sentence = "One standard deviation of the force per sample.",
                 .presence = optional,
                 .unit = "N",
-                .range = at_least(0.0)},
+                .range = from_to(0.0, largest_reading)},
                instrument.force_noise);
   visit.number({.name = "force_gain_uncertainty",
                 .sentence = "Relative uncertainty of the force scale, one standard deviation.",
@@ -41,7 +41,7 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .sentence = "Frequency up to which the force is passed.",
                 .presence = optional,
                 .unit = "kHz",
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                instrument.force_bandwidth);
   visit.number({.name = "force_filter_class",
                 .sentence = "Channel frequency class (SAE J211) by which the record was filtered, "
@@ -61,14 +61,14 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .sentence = "Force at which contact was taken to start and to end.",
                 .presence = optional,
                 .unit = "N",
-                .range = at_least(0.0)},
+                .range = from_to(0.0, largest_reading)},
                instrument.contact_threshold);
   visit.number({.name = "camera_rate",
                 .sentence = "Frames per second of the camera that gave the speeds and, in a "
                             "synthesis, counts contact times in whole frames.",
                 .presence = optional,
                 .unit = "Hz",
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                instrument.camera_rate);
   visit.choice({.name = "deflection",
                 .sentence = "A double integral of force over mass, or measured on its own.",
@@ -78,7 +78,7 @@ void describe(Visitor& visit, Instrument& instrument) {
                 .sentence = "One standard deviation of an independent deflection per sample.",
                 .presence = optional,
                 .unit = "mm",
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                instrument.deflection_noise);
   visit.number({.name = "deflection_gain_uncertainty",
                 .sentence = "Relative uncertainty of the deflection scale, one standard deviation.",
@@ -113,13 +113,13 @@ void describe(Visitor& visit, Quasistatic& quasistatic) {
                 .sentence = "Time that the loading took.",
                 .presence = optional,
                 .unit = "s",
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                quasistatic.duration);
   describe_measured(visit,
                     {.name = "stiffness",
                      .sentence = "Factor of x^1.5 in the force.",
                      .unit = "N/m^1.5",
-                     .range = above(0.0)},
+                     .range = above_up_to(0.0, largest_reading)},
                     quasistatic.stiffness);
 }
 
@@ -128,20 +128,25 @@ void describe(Visitor& visit, BlockTest& block) {
                     {.name = "modulus",
                      .sentence = "Young's modulus of a block cut from the ball.",
                      .unit = "MPa",
-                     .range = above(0.0)},
+                     .range = above_up_to(0.0, largest_reading)},
                     block.modulus);
 }
 
 void describe(Visitor& visit, PooledPeak& peak) {
-  visit.number({.name = "speed", .sentence = "Approach speed.", .unit = "m/s", .range = above(0.0)},
+  visit.number({.name = "speed",
+                .sentence = "Approach speed.",
+                .unit = "m/s",
+                .range = above_up_to(0.0, largest_reading)},
                peak.speed);
-  visit.number(
-      {.name = "force", .sentence = "Typical largest force.", .unit = "N", .range = above(0.0)},
-      peak.force);
+  visit.number({.name = "force",
+                .sentence = "Typical largest force.",
+                .unit = "N",
+                .range = above_up_to(0.0, largest_reading)},
+               peak.force);
   visit.number({.name = "deflection",
                 .sentence = "Typical largest deflection.",
                 .unit = "mm",
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                peak.deflection);
   visit.number({.name = "scatter",
                 .sentence = "Relative scatter of both, one standard deviation.",

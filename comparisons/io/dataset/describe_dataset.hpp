@@ -8,6 +8,9 @@
 
 namespace rebound {
 
+/// In SI, of any quantity: no instrument shows more, and sums of squares stay finite.
+inline constexpr double largest_reading = 1e12;
+
 void describe(Visitor& visit, Instrument& instrument);
 void describe(Visitor& visit, MeasuredImpact& shot);
 void describe(Visitor& visit, TraceChannels& channels);

@@ -22,13 +22,13 @@ void describe_reading(Visitor& visit, const ReadingQuantity& quantity, Reading& 
                 .sentence = quantity.sentence,
                 .presence = if_known,
                 .unit = quantity.unit,
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                reading.value);
   visit.number({.name = std::string(quantity.key) + "_uncertainty",
                 .sentence = "One standard deviation of one reading of it.",
                 .presence = if_known,
                 .unit = quantity.unit,
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                reading.uncertainty);
 }
 
@@ -38,7 +38,7 @@ void describe_readings(Visitor& visit, ShotReadings& readings) {
   visit.number({.name = "repeats",
                 .sentence = "Readings that the values above are means of; divides their variances.",
                 .presence = if_known,
-                .range = at_least(1.0)},
+                .range = from_to(1.0, largest_reading)},
                readings.repeats);
 }
 
@@ -52,7 +52,7 @@ void describe_measured(Visitor& visit, const Key& key, Measured& measured) {
                 .sentence = "One standard deviation of " + key.name + ".",
                 .presence = if_known,
                 .unit = key.unit,
-                .range = above(0.0)},
+                .range = above_up_to(0.0, largest_reading)},
                measured.uncertainty);
 }
 
@@ -71,7 +71,7 @@ void describe(Visitor& visit, MeasuredImpact& shot) {
                 .sentence = "One standard deviation of the speed.",
                 .presence = if_known,
                 .unit = "m/s",
-                .range = at_least(0.0)},
+                .range = from_to(0.0, 1000.0)},
                shot.speed_uncertainty);
   visit.text(
       {.name = "trace",
@@ -93,22 +93,25 @@ void describe(Visitor& visit, MeasuredImpact& shot) {
                     {.name = "contact_time",
                      .sentence = "By the instrument's contact_threshold, if it has one.",
                      .unit = "ms",
-                     .range = above(0.0)},
+                     .range = above_up_to(0.0, largest_reading)},
                     shot.contact_time);
-  describe_measured(
-      visit, {.name = "peak_force", .sentence = "Largest force.", .unit = "N", .range = above(0.0)},
-      shot.peak_force);
+  describe_measured(visit,
+                    {.name = "peak_force",
+                     .sentence = "Largest force.",
+                     .unit = "N",
+                     .range = above_up_to(0.0, largest_reading)},
+                    shot.peak_force);
   describe_measured(visit,
                     {.name = "peak_deflection",
                      .sentence = "Largest deflection of the centre of mass.",
                      .unit = "mm",
-                     .range = above(0.0)},
+                     .range = above_up_to(0.0, largest_reading)},
                     shot.peak_deflection);
   describe_measured(visit,
                     {.name = "mean_deflection",
                      .sentence = "Time mean of that deflection over the contact.",
                      .unit = "mm",
-                     .range = above(0.0)},
+                     .range = above_up_to(0.0, largest_reading)},
                     shot.mean_deflection);
   describe_readings(visit, shot.readings);
 }

@@ -139,6 +139,10 @@ INSTANTIATE_TEST_SUITE_P(
                 ExitCode::bad_input, "shot[0].restitution"},
         Refused{"Speed", "[[shot]]\nspeed = \"-5 m/s\"\nrestitution = 0.5\n", ExitCode::bad_input,
                 "shot[0].speed"},
+        Refused{
+            "ErrorBeyondAnyInstrument",
+            "[[shot]]\nspeed = \"5 m/s\"\nspeed_uncertainty = \"1e308 m/s\"\nrestitution = 0.5\n",
+            ExitCode::bad_input, "shot[0].speed_uncertainty"},
         Refused{"NoFile", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"none.csv\"\n",
                 ExitCode::input_output_failed, "shot[0].trace"},
         Refused{"TwoSamples", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"two.csv\"\n",

@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# no_shell.sh SOURCE-FOLDER
+# Text of a user never reaches a shell: the program and its tools start none. (The tests do.)
+set -euo pipefail
+cd "$1"
+found="$(grep -rnE '\b(std::system|popen|posix_spawnp?|exec[lv]p?e?)\(|[^.>a-z_]system\("|shell *= *True|os\.system' \
+  --include='*.cpp' --include='*.hpp' --include='*.inl' --include='*.py' lumped fem meshes comparisons || true)"
+[ -z "$found" ] || { echo "a shell or another program is started:"; echo "$found"; exit 1; }
