@@ -61,15 +61,17 @@ struct DampingFactors {
   friend bool operator==(const DampingFactors&, const DampingFactors&) = default;
 };
 
-/// One branch more: q̇ = s Ḟ_e − q/τ beside F_e.
+/// One branch more: q̇ = s Ġ − q/τ beside F_e, G = F_e (x/x_r)^p.
 struct RelaxationBranch {
-  double ratio = 0.0;            ///< s, over the long-term force [-]
+  double ratio = 0.0;            ///< s, over the long-term force at x_r = R/10 [-]
   double relaxation_time = 1.0;  ///< τ [s]
+  double exponent = 0.0;         ///< p, of the spring of the branch over that of the law [-]
 
   static constexpr auto limits() {
     return std::tuple{
         Limit{&RelaxationBranch::ratio, "ratio", "", from_to(0.0, 20.0)},
-        Limit{&RelaxationBranch::relaxation_time, "relaxation_time", "s", from_to(1e-7, 1e9)}};
+        Limit{&RelaxationBranch::relaxation_time, "relaxation_time", "s", from_to(1e-7, 1e9)},
+        Limit{&RelaxationBranch::exponent, "exponent", "", from_to(-0.9, 3.0)}};
   }
   friend bool operator==(const RelaxationBranch&, const RelaxationBranch&) = default;
 };

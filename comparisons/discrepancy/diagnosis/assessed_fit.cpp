@@ -30,13 +30,21 @@ double largest_z(const ResidualMap& map) {
   return largest;
 }
 
-bool leaves_as_little_as_a_curve(const AssessedFit& baseline, const AssessedFit& candidate) {
-  constexpr double share = 0.1;  // of the residuals
+/// Does one more effect bring no more than what this share of the residuals is in χ²?
+bool has_little_remaining(const AssessedFit& baseline, const AssessedFit& candidate, double share) {
   const double explained = baseline.fit.chi_square - candidate.fit.chi_square;
   return candidate.best_remaining <=
-             std::max(candidate.remaining_threshold, share * share * explained) &&
-         largest_z(candidate.map) <=
-             std::max(candidate.map.threshold, share * largest_z(baseline.map));
+         std::max(candidate.remaining_threshold, share * share * explained);
+}
+
+/// A curve through a few points is judged by what it leaves of the residuals of the baseline.
+void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
+  constexpr double share = 0.1, most_remaining = 0.3;  // of the residuals
+  if (curve.p_value <= rules.smallest_adequate_p ||
+      largest_z(curve.map) > std::max(curve.map.threshold, share * largest_z(baseline.map)))
+    return;
+  curve.adequate = has_little_remaining(baseline, curve, share);
+  curve.nearly_adequate = has_little_remaining(baseline, curve, most_remaining);
 }
 
 }  // namespace
@@ -96,9 +104,7 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
   look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
-  if (!candidate.adequate && has_curve(candidate.fit))
-    candidate.adequate = candidate.p_value > rules.smallest_adequate_p &&
-                         leaves_as_little_as_a_curve(baseline, candidate);
+  if (!candidate.adequate && has_curve(candidate.fit)) judge_curve(rules, baseline, candidate);
 }
 
 }  // namespace rebound

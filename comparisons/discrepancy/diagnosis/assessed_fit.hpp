@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,18 @@ struct AssessedFit {
   double p_value = 0.0;         ///< of χ² over the data
   double best_remaining = 0.0;  ///< largest Δχ² that one more effect would bring, to first order
   double remaining_threshold = 0.0;
-  bool judged = false;    ///< refused by its χ² alone, or looked at closely
+  /// Of the speed that no fit saw; absent where it was not asked.
+  std::optional<double> unseen_chi_square;
+  bool unseen_denies = false;  ///< a rival predicts that speed plainly better
+  bool judged = false;         ///< refused by its χ² alone, or looked at closely
+  /// A free form whose χ² and map noise could make, while some effect would still bring a little.
+  bool nearly_adequate = false;
   bool adequate = false;  ///< nothing left that noise could not do
+
+  /// χ² + k ln N, with the χ² of the unseen speed where that was asked.
+  double information_criterion() const {
+    return fit.information_criterion + unseen_chi_square.value_or(0.0);
+  }
 };
 
 /// Those of `effects` that are not present.
@@ -63,7 +74,8 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
 ///
 /// Of a free form a tenth of the baseline's residuals may be left, which is a hundredth of the χ²
 /// that it explains: a smooth curve through six points is no closer to what it stands for. It never
-/// carries a name.
+/// carries a name. Where one more effect would bring up to a tenth of that χ², and nothing else is
+/// left, it is nearly adequate.
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
                      const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
                      AssessedFit& candidate);

@@ -12,28 +12,30 @@ namespace {
 /// χ² + 2 k. By χ² + k ln N alone, an adequate model of one number would exclude a truth of two:
 /// ln N of all samples is more than the reach of a set.
 double prediction_criterion(const AssessedFit& one) {
-  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns;
+  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns + one.unseen_chi_square.value_or(0.0);
 }
 
 /// The best of either criterion.
 struct Criteria {
   double information = std::numeric_limits<double>::infinity();
   double prediction = std::numeric_limits<double>::infinity();
+
+  void compare_with(const AssessedFit& one) {
+    information = std::min(information, one.information_criterion());
+    prediction = std::min(prediction, prediction_criterion(one));
+  }
 };
 
 /// Of all adequate fits; infinite where there are none.
 Criteria best_of(const std::vector<AssessedFit>& tried) {
   Criteria best;
-  for (const AssessedFit& one : tried) {
-    if (!one.adequate) continue;
-    best.information = std::min(best.information, one.fit.information_criterion);
-    best.prediction = std::min(best.prediction, prediction_criterion(one));
-  }
+  for (const AssessedFit& one : tried)
+    if (one.adequate) best.compare_with(one);
   return best;
 }
 
 bool within_reach(const AssessedFit& one, const Criteria& best, double reach) {
-  return one.fit.information_criterion <= best.information + reach ||
+  return one.information_criterion() <= best.information + reach ||
          prediction_criterion(one) <= best.prediction + reach;
 }
 
@@ -86,6 +88,29 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
     if (!needs_not_all) minimal.push_back(i);
   }
   return minimal;
+}
+
+void prefer_nearly_adequate_curves(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                                   std::vector<std::size_t>& members) {
+  const double best = best_of(tried).information;
+  bool preferred = false;
+  for (AssessedFit& one : tried) {
+    if (!one.nearly_adequate || one.fit.effects.size() != known + 1 ||
+        one.information_criterion() >= best - reach)
+      continue;
+    one.adequate = preferred = true;
+  }
+  if (preferred) members = indistinguishable_models(tried, reach);
+}
+
+void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
+                       std::vector<std::size_t>& members) {
+  Criteria best;
+  for (const std::size_t i : members) best.compare_with(tried[i]);
+  std::erase_if(members, [&](std::size_t i) { return !within_reach(tried[i], best, reach); });
+  std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+    return tried[a].information_criterion() < tried[b].information_criterion();
+  });
 }
 
 }  // namespace rebound

@@ -19,4 +19,15 @@ void judge_candidates(std::vector<AssessedFit>& tried, double reach,
 std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
                                                   double reach);
 
+/// A single free form that is nearly adequate and beyond reach of all adequate sets, to the better:
+/// a set of three that fits worse explains the data no better. Where there are some, they are
+/// adequate, and the candidates.
+void prefer_nearly_adequate_curves(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                                   std::vector<std::size_t>& members);
+
+/// Takes out of `members`, indices into `tried`, what is beyond reach of the best of them once the
+/// unseen speed counts; the best by χ² + k ln N comes first.
+void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
+                       std::vector<std::size_t>& members);
+
 }  // namespace rebound

@@ -105,8 +105,9 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   d.believed = assess_believed(*d.seen, believed, request, control);
   report_progress(whole, baseline_share);
   const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
+  const UnseenSpeed unseen = d.held_out_speed ? UnseenSpeed{d.unseen.get(), &all} : UnseenSpeed{};
   d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.hypothesis.effects),
-                               request.rules, request.seed, control);
+                               request.rules, request.seed, control, unseen);
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });

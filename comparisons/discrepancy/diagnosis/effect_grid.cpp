@@ -13,8 +13,55 @@ namespace {
 constexpr double size_step = 0.05;             // of the prior scale
 constexpr double smallest_tried = 1.0 / 64.0;  // of it: plates are stiff by orders of magnitude
 
+/// What a rig is known by: its records.
+struct RecordScales {
+  double contact = 0.0;  ///< shortest contact [s]
+  double record = 0.0;   ///< longest record [s]
+  double step = 0.0;     ///< longest between two samples [s]
+  double largest = 0.0;  ///< reading [N]
+};
+
+RecordScales scales_of(const Observations& seen) {
+  RecordScales scales;
+  for (const MeasuredImpact& shot : seen.shots) {
+    if (!shot.has_history()) continue;
+    const auto& [time, force] = std::tie(shot.trace.time, shot.trace.force);
+    const double peak = *std::max_element(force.begin(), force.end());
+    const double contact = time_above(shot.trace, clearly_in_contact * peak);
+    const double length = time.back() - time.front();
+    scales.contact = scales.contact == 0.0 ? contact : std::min(scales.contact, contact);
+    scales.record = std::max(scales.record, length);
+    scales.step = std::max(scales.step, length / static_cast<double>(time.size() - 1));
+    scales.largest = std::max(scales.largest, peak);
+  }
+  return scales;
+}
+
+/// SI of what one is in `unit`; zero where no record says it.
+double unit_of(TriedIn unit, const RecordScales& scales) {
+  switch (unit) {
+    case TriedIn::si: return 1.0;
+    case TriedIn::contact_times: return scales.contact;
+    case TriedIn::per_contact_time: return scales.contact > 0.0 ? 1.0 / scales.contact : 0.0;
+    case TriedIn::largest_readings: return scales.largest;
+  }
+  return 0.0;
+}
+
+/// Numbers of a card within its range, SI; empty where no record says what they are shares of.
+std::vector<double> in_si(const std::vector<double>& tried, TriedIn unit, const Range& range,
+                          const RecordScales& scales) {
+  const double one = unit_of(unit, scales);
+  std::vector<double> values;
+  if (!(one > 0.0)) return values;
+  for (const double value : tried)
+    values.push_back(std::clamp(value * one, range.lowest, range.highest));
+  return values;
+}
+
 /// The numbers of one parameter that are tried; empty: it stays as it is.
-std::vector<double> tried_values(const EffectParameterCard& parameter, const Observations& seen) {
+std::vector<double> tried_values(const EffectParameterCard& parameter, const Observations& seen,
+                                 const RecordScales& scales) {
   std::vector<double> values;
   if (parameter.kind == ParameterKind::shot) {
     for (const MeasuredImpact& shot : seen.shots)
@@ -22,7 +69,8 @@ std::vector<double> tried_values(const EffectParameterCard& parameter, const Obs
     return values;
   }
   if (!parameter.fitted) return values;
-  if (!parameter.tried.empty()) return parameter.tried;
+  values = in_si(parameter.tried, parameter.tried_in, parameter.range, scales);
+  if (!values.empty()) return values;
   if (parameter.kind == ParameterKind::linear) return {parameter.default_value};
   for (const double factor : {0.1, 0.3, 1.0, 3.0, 10.0})
     values.push_back(std::clamp(factor * parameter.default_value, parameter.range.lowest,
@@ -36,23 +84,13 @@ std::vector<double> frequencies(const OscillatorCard& oscillator, const Observat
   constexpr double fewest_swings = 0.35, most_swings = 8.0, most_rings = 40.0;  // in a contact
   constexpr double line_width = 0.02;  // of a frequency, with a damping ratio of one per cent
   constexpr double coarse = 1.3;       // from one to the next
-  double contact = 0.0, record = 0.0, step = 0.0;
-  for (const MeasuredImpact& shot : seen.shots) {
-    if (!shot.has_history()) continue;
-    const auto& [time, force] = std::tie(shot.trace.time, shot.trace.force);
-    const double own =
-        time_above(shot.trace, clearly_in_contact * *std::max_element(force.begin(), force.end()));
-    const double length = time.back() - time.front();
-    contact = contact == 0.0 ? own : std::min(contact, own);
-    record = std::max(record, length);
-    step = std::max(step, length / static_cast<double>(time.size() - 1));
-  }
-  if (!(contact > 0.0)) return {};
-  const double seen_for = oscillator.rings_on ? record : contact;
-  const double highest =
-      std::min((oscillator.rings_on ? most_rings : most_swings) / contact, 0.35 / step);
+  const RecordScales scales = scales_of(seen);
+  if (!(scales.contact > 0.0)) return {};
+  const double seen_for = oscillator.rings_on ? scales.record : scales.contact;
+  const double highest = std::min((oscillator.rings_on ? most_rings : most_swings) / scales.contact,
+                                  0.35 / scales.step);
   std::vector<double> all;
-  for (double f = fewest_swings / contact; f <= highest;) {
+  for (double f = fewest_swings / scales.contact; f <= highest;) {
     all.push_back(f);
     f = detail == GridDetail::coarse ? coarse * f : f + std::max(0.5 / seen_for, line_width * f);
   }
@@ -76,8 +114,9 @@ std::vector<EffectChoice> with_each(const std::vector<EffectChoice>& all,
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
                                           const Observations& seen) {
   std::vector<EffectChoice> all{effect};
+  const RecordScales scales = scales_of(seen);
   for (const auto& parameter : card.parameters) {
-    const std::vector<double> values = tried_values(parameter, seen);
+    const std::vector<double> values = tried_values(parameter, seen, scales);
     if (!values.empty()) all = with_each(all, parameter.name, values);
   }
   return all;
@@ -92,7 +131,7 @@ std::vector<EffectChoice> small_effects(const EffectCard& card, const Observatio
       all.push_back(card.oscillator->with(frequency, slight, seen.shots.front().sphere.mass));
     if (!all.empty()) return all;
   }
-  std::vector<double> sizes = card.tried;
+  std::vector<double> sizes = in_si(card.tried, card.tried_in, card.range, scales_of(seen));
   if (sizes.empty() && (card.is_switch || !std::isfinite(card.null))) {
     sizes = {card.is_switch ? 1.0 : card.prior_scale};
   } else if (sizes.empty()) {
@@ -123,7 +162,7 @@ std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observati
     add(1.0);
     return all;
   }
-  for (const double size : card.tried) add(size);
+  for (const double size : in_si(card.tried, card.tried_in, card.range, scales_of(seen))) add(size);
   if (!card.tried.empty()) return all;
   const double null = std::isfinite(card.null) ? card.null : 0.0;
   // A fine grid of the parameters needs no fine one of the size beside it.

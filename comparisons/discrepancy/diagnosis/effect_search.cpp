@@ -76,16 +76,30 @@ bool EffectSearch::sets_of(std::size_t count) {
   const std::vector<std::string> forms =
       count == 2 ? free_forms(base().effects, true) : std::vector<std::string>{};
   Fits fits = fit_all(all.size() + forms.size(), [&](std::size_t i) {
-    if (i >= all.size())
-      return fit_extended(
-          seen_, base(),
-          starts_of_free_form(find_effect(forms[i - all.size()]).card, seen_, base()),
-          SearchEffort::first_look, within());
+    if (i >= all.size()) return look_at_whole(find_effect(forms[i - all.size()]).card, before);
     return fit_extended(seen_, before[all[i].from].fit, all[i].starts, SearchEffort::first_look,
                         within());
   });
   finish(fits);
   return found(fits);
+}
+
+/// A free form of many numbers is looked for from nothing, and from the free forms that it
+/// contains.
+HypothesisFit EffectSearch::look_at_whole(const EffectCard& card,
+                                          const std::vector<AssessedFit>& before) const {
+  HypothesisFit best = fit_extended(seen_, base(), starts_of_free_form(card, seen_, base()),
+                                    SearchEffort::first_look, within());
+  for (const AssessedFit& one : before) {
+    if (!card.from_part || added(one.fit) != 1) continue;
+    const auto start = card.from_part(one.fit.effects.back());
+    if (!start) continue;
+    HypothesisFit part = one.fit;
+    part.effects.pop_back();
+    HypothesisFit whole = fit_extended(seen_, part, {*start}, SearchEffort::first_look, within());
+    if (whole.chi_square < best.chi_square) best = std::move(whole);
+  }
+  return best;
 }
 
 bool EffectSearch::prune() {

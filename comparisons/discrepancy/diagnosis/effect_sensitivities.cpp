@@ -123,9 +123,22 @@ std::vector<EffectChoice> EffectSensitivities::stronger_where_it_shows(
   return all;
 }
 
+/// What is proportional to its size, at the sizes that gain most.
+std::vector<EffectChoice> EffectSensitivities::best_to_first_order(const EffectCard& card) const {
+  std::vector<EffectChoice> all;
+  for (const EffectSensitivity& d : sensitivities_) {
+    if (d.effect.name != card.name) continue;
+    all.push_back(d.effect);
+    all.back().size = std::clamp(score_of(d).size, card.range.lowest, card.range.highest);
+  }
+  return all;
+}
+
 void EffectSensitivities::look_for_starts() {
   const std::vector<EffectChoice> choices = of_all(effects_, [&](const EffectCard& card) {
-    return card.oscillator ? stronger_where_it_shows(card) : finite_effects(card, seen_);
+    return card.is_linear    ? best_to_first_order(card)
+           : card.oscillator ? stronger_where_it_shows(card)
+                             : finite_effects(card, seen_);
   });
   probes_ = probed(choices);
 }

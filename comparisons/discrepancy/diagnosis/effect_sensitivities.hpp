@@ -97,6 +97,7 @@ class EffectSensitivities {
  private:
   EffectScore score_of(const EffectSensitivity& sensitivity) const;
   std::vector<EffectChoice> stronger_where_it_shows(const EffectCard& card) const;
+  std::vector<EffectChoice> best_to_first_order(const EffectCard& card) const;
   std::vector<EffectProbe> probed(const std::vector<EffectChoice>& choices) const;
   void add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved);
   /// residuals_with() of each, side by side.

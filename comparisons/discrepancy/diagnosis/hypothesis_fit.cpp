@@ -196,8 +196,8 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   HeldOutGap gap;
   const std::size_t data = model.rows().size();
   gap.deviation = std::sqrt(2.0 / static_cast<double>(data));
-  for (std::size_t i = 0; i < data; ++i)
-    gap.reduced_chi_square += residuals[i] * residuals[i] / static_cast<double>(data);
+  for (std::size_t i = 0; i < data; ++i) gap.chi_square += residuals[i] * residuals[i];
+  gap.reduced_chi_square = gap.chi_square / static_cast<double>(data);
   gap.of_shots = shot_by_shot(model, residuals);
   for (std::size_t i = 0; i < unseen.shots.size(); ++i)
     gap.force.push_back(unseen.shots[i].has_history()

@@ -75,6 +75,7 @@ std::vector<ShotGap> gaps_of_shots(const HypothesisFit& fit);
 /// common numbers stay as fitted, start of contact and speed of each new shot
 /// are found within their priors.
 struct HeldOutGap {
+  double chi_square = 0.0;  ///< Σ r² over their data
   double reduced_chi_square = 0.0;
   double deviation = 0.0;  ///< of it when nothing is missing, √(2/rows)
   std::vector<ShotGap> of_shots;

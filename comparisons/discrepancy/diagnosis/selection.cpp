@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "comparisons/discrepancy/diagnosis/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/effect_search.hpp"
+#include "comparisons/discrepancy/diagnosis/unseen_choice.hpp"
 
 namespace rebound {
 namespace {
@@ -29,6 +31,14 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   }
 }
 
+/// By how much the criterion of `one` is better; what the unseen speed says counts where both were
+/// asked.
+double gain_over(const AssessedFit& baseline, const AssessedFit& one) {
+  const double gain = baseline.fit.information_criterion - one.fit.information_criterion;
+  if (!baseline.unseen_chi_square || !one.unseen_chi_square) return gain;
+  return gain + *baseline.unseen_chi_square - *one.unseen_chi_square;
+}
+
 /// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
 /// it? A name needs a criterion that is better than that of no effect by as much as one candidate
 /// must be better than another; where none has it, what is left over is no evidence of an effect.
@@ -39,25 +49,41 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
   return baseline.p_value > rules.smallest_adequate_p &&
          residual_map(seen, baseline.fit, around, rules.candidate_level, seed).quiet() &&
          std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
-           return one.fit.information_criterion <
-                  baseline.fit.information_criterion - rules.close_criterion;
+           return gain_over(baseline, one) > rules.close_criterion;
          });
+}
+
+/// Is there a gap that is seen with the unseen speed only? One odd shot among repeats of that speed
+/// is no gap of the model.
+bool is_seen_with(const UnseenSpeed& unseen, const HypothesisFit& fit,
+                  const std::vector<std::string>& effects, const SelectionRules& rules,
+                  std::uint64_t seed) {
+  return leaves_a_gap_in(*unseen.with_seen, fit, effects, rules, seed) &&
+         !odd_one_of(predict_unseen(*unseen.shots, fit).of_shots);
 }
 
 }  // namespace
 
 EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
-                               std::uint64_t seed, const RunControl& control) {
+                               std::uint64_t seed, const RunControl& control,
+                               const UnseenSpeed& unseen) {
   EffectSelection selection;
   selection.baseline = judge_by_chi_square(seen, std::move(baseline), rules);
   EffectSensitivities around(seen, selection.baseline.fit, effects);
   look_closely(seen, around, rules, rules.false_gap_level, seed, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
+  if (selection.baseline.adequate && unseen.shots)
+    selection.baseline.adequate =
+        !is_seen_with(unseen, selection.baseline.fit, effects, rules, seed);
   if (!selection.baseline.adequate) {
     EffectSearch search(seen, around, effects, rules, seed, control, selection);
     search_effects(search, selection, rules);
+    prefer_nearly_adequate_curves(selection.tried, selection.baseline.fit.effects.size(),
+                                  rules.close_criterion, selection.indistinguishable);
+    if (unseen.shots && !selection.indistinguishable.empty())
+      choose_with_unseen_speed(*unseen.shots, rules, selection);
     selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
   }
   if (selection.baseline.adequate) {

@@ -22,6 +22,12 @@ struct EffectSelection {
   bool explains() const { return baseline.adequate || !indistinguishable.empty(); }
 };
 
+/// What a search may ask of a speed that none of its fits sees; nothing where there is none.
+struct UnseenSpeed {
+  const Observations* shots = nullptr;      ///< those of that speed
+  const Observations* with_seen = nullptr;  ///< and all others with them
+};
+
 /// Looks for the smallest sets of effects that explain what the baseline does not.
 ///
 ///   1 first-order score of every effect on the baseline's residuals
@@ -29,6 +35,10 @@ struct EffectSelection {
 ///   3 where none is adequate: sets of two and of three, each from the best of one less;
 ///     what an adequate set of three does not need is taken out again
 ///   4 every adequate and minimal set within 6 of the best criterion is indistinguishable
+///   5 of these the unseen speed takes out what predicts it worse (choose_with_unseen_speed)
+///
+/// A search begins where the baseline leaves a gap in what it was fitted to, or in all shots
+/// together with those of the unseen speed.
 ///
 /// A gap that noise makes once in fifty data sets, and that no effect explains by as much as one
 /// candidate must be better than another, is noise: the baseline stands.
@@ -37,6 +47,7 @@ struct EffectSelection {
 /// anything in the list.
 EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
-                               std::uint64_t seed, const RunControl& control = {});
+                               std::uint64_t seed, const RunControl& control = {},
+                               const UnseenSpeed& unseen = {});
 
 }  // namespace rebound

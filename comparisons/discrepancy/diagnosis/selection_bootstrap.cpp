@@ -27,7 +27,7 @@ std::vector<const HypothesisFit*> fits_of(const EffectSelection& selection) {
   constexpr std::size_t most = 8;
   std::vector<const HypothesisFit*> fits{&selection.baseline.fit};
   for (const AssessedFit& one : selection.tried)  // best criterion first
-    if (one.adequate && fits.size() <= most) fits.push_back(&one.fit);
+    if (one.adequate && !one.unseen_denies && fits.size() <= most) fits.push_back(&one.fit);
   return fits;
 }
 

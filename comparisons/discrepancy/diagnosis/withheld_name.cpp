@@ -6,25 +6,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/unseen_choice.hpp"
+
 namespace rebound {
 namespace {
-
-/// Is a gap at the unseen speed no chance, and large enough to contradict "agrees"?
-bool is_plain(double reduced_chi_square, double deviation) {
-  constexpr double plain = 0.5, noise_deviations = 6.0;
-  return reduced_chi_square - 1.0 > std::max(plain, noise_deviations * deviation);
-}
-
-/// The one of several shots that stands apart while the others are within the noise.
-std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps) {
-  std::optional<std::size_t> odd;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (!is_plain(gaps[i].reduced_chi_square, gaps[i].deviation())) continue;
-    if (odd) return std::nullopt;
-    odd = i;
-  }
-  return gaps.size() > 1 ? odd : std::nullopt;
-}
 
 /// A shot that contradicts its own repeats is a fault of that shot.
 void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
@@ -81,7 +66,7 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& r
   if (d.verdict == DiagnosisVerdict::agrees && d.gap.held_out_before) {
     if (const auto odd = odd_one_of(d.unseen_before->of_shots))
       suspect_shot(d, d.unseen->shots[*odd]);
-    else if (is_plain(*d.gap.held_out_before, d.gap.held_out_noise))
+    else if (is_plain_gap(*d.gap.held_out_before, d.gap.held_out_noise))
       withhold(
           d, DiagnosisVerdict::unexplained,
           fmt::format("the believed model agrees with what was fitted, but at the unseen speed "

@@ -44,7 +44,7 @@ CalibrationParameter linear_of(const EffectCard& card, const EffectParameterCard
           .unit = "SI",
           .start = start_of(parameter, choice),
           .lowest = parameter.range.lowest,
-          .highest = parameter.range.highest,
+          .highest = std::min(parameter.range.highest, parameter.most_fitted),
           .scale = parameter.scale,
           .prior = parameter.prior_deviation > 0.0
                        ? std::optional(Prior{parameter.default_value, parameter.prior_deviation})
@@ -56,7 +56,8 @@ CalibrationParameter logarithm_of(const EffectCard& card, const EffectParameterC
   // About the start and not the default: a plate under a small ball is no plate of two kilograms.
   const double start = start_of(parameter, choice);
   const double lowest = std::max(parameter.range.lowest, start / parameter_reach);
-  const double highest = std::min(parameter.range.highest, start * parameter_reach);
+  const double highest =
+      std::min({parameter.range.highest, parameter.most_fitted, start * parameter_reach});
   return {.name = card.name + " " + parameter.name,
           .unit = "ln SI",
           .start = std::log(start),

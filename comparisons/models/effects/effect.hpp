@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +51,14 @@ enum class ParameterKind {
   largest_rate         ///< of all shots; set by a diagnosis
 };
 
+/// What the numbers are shares of at which a diagnosis looks: a rig is known by its records.
+enum class TriedIn {
+  si,
+  contact_times,     ///< of the shortest contact
+  per_contact_time,  ///< frequencies: swings in the shortest contact
+  largest_readings   ///< of the largest force of all records
+};
+
 /// A further number of an effect, beside its size.
 struct EffectParameterCard {
   std::string name;  ///< TOML key, e.g. "relaxation_time"
@@ -62,7 +71,10 @@ struct EffectParameterCard {
   bool in_fem = true;
   ParameterKind kind = ParameterKind::logarithmic;
   double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
-  std::vector<double> tried{};  ///< where a diagnosis looks, SI; empty: decades about the default
+  std::vector<double> tried{};  ///< where a diagnosis looks; empty: decades about the default
+  TriedIn tried_in = TriedIn::si;
+  /// No fit goes further: beyond it this is no such effect, whatever a file may say.
+  double most_fitted = std::numeric_limits<double>::infinity();
   /// Of a normal prior about the default, for a linear one; 0: none.
   double prior_deviation = 0.0;
 };
@@ -139,9 +151,12 @@ struct EffectCard {
   /// not); sizes between interpolate, for derivatives.
   bool is_switch = false;
   std::vector<EffectParameterCard> parameters;
-  /// Sizes from which a diagnosis looks, SI; empty: multiples of the prior scale. For effects
+  /// Sizes from which a diagnosis looks; empty: multiples of the prior scale. For effects
   /// that start all at once, so that derivatives at the null say nothing.
   std::vector<double> tried{};
+  TriedIn tried_in = TriedIn::si;
+  /// What it does is proportional to its size, so that the first order is the whole.
+  bool is_linear = false;
   /// Seen in the readings themselves: no fit looks for it.
   bool told_by_readings = false;
   /// Of a memory with one time: the parameter in which it fades. Far below a contact it is a
@@ -157,6 +172,9 @@ struct EffectCard {
   /// A free form of so many numbers that it is tried only where no single effect is adequate.
   bool after_single_effects = false;
   std::vector<CurveCard> curves{};  ///< of a free form
+  /// Of a free form that contains others: the same body as a fitted one of those has it, with its
+  /// numbers; nothing for other effects. A search starts there too.
+  std::optional<EffectChoice> (*from_part)(const EffectChoice& part) = nullptr;
   /// The formula of its family that a free form without curves contains, as a plate on a frame
   /// contains a plate: a search starts there.
   std::string contains{};

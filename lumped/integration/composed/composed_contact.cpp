@@ -110,12 +110,12 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
   const double x = y[approach];
   Forces f;
   f.elastic = elastic_.acting(phase, x);
-  if (mechanisms_.relaxation.ratio != 0.0)
-    f.branch = branch_force(mechanisms_.relaxation, f.elastic, y[relaxed]);
+  if (const RelaxationBranch& branch = mechanisms_.relaxation; branch.ratio != 0.0)
+    f.branch = branch_force(branch, drive_of(branch, f.elastic, x), y[relaxed]);
   if (law_branch_.ratio != 0.0) f.branch += branch_force(law_branch_, f.elastic, y[law_relaxed]);
   for (std::size_t k = 0; k < mechanisms_.further_relaxation.size(); ++k)
     if (const RelaxationBranch& branch = mechanisms_.further_relaxation[k]; branch.ratio != 0.0)
-      f.branch += branch_force(branch, f.elastic, y[further_relaxed + k]);
+      f.branch += branch_force(branch, drive_of(branch, f.elastic, x), y[further_relaxed + k]);
   const double rate = approach_rate(phase, y);
   f.damping = std::visit(
       [&](const auto& law) {
@@ -130,6 +130,10 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
   }
   if (mechanisms_.pull.act()) f.adhesion -= pull(phase, y);
   return f;
+}
+
+double ComposedContact::drive_of(const RelaxationBranch& branch, double elastic, double x) const {
+  return branch_drive(branch, elastic, x / (reference_deflection_share * radius_));
 }
 
 double ComposedContact::deflection_left(const Phase& phase, const State& y) const {
@@ -161,7 +165,9 @@ void ComposedContact::derivative(const Phase& phase, const State& y, State& rate
   rate[impulse] = total;
   rate[dissipated] = (total - f.elastic) * closing;
   const auto relax = [&](const RelaxationBranch& branch, std::size_t state) {
-    rate[state] = branch.ratio != 0.0 ? relaxed_rate(branch, f.elastic, y[state]) : 0.0;
+    rate[state] = branch.ratio != 0.0
+                      ? relaxed_rate(branch, drive_of(branch, f.elastic, y[approach]), y[state])
+                      : 0.0;
   };
   relax(mechanisms_.relaxation, relaxed);
   relax(law_branch_, law_relaxed);

@@ -134,6 +134,7 @@ class ComposedContact {
   /// Those that act: of a pull alone, or none, while they are apart.
   Forces acting_forces(const Phase& phase, const State& y) const;
   double pull(const Phase& phase, const State& y) const;
+  double drive_of(const RelaxationBranch& branch, double elastic, double x) const;
   /// Deflection that is left for the elastic force; negative: a gap.
   double deflection_left(const Phase& phase, const State& y) const;
   double stored_energy(const Phase& phase, const State& y) const;

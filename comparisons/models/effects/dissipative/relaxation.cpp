@@ -19,7 +19,9 @@ Effect relaxation_effect() {
                                .dimension = dimension::time,
                                .range = limit_of<&RelaxationBranch::relaxation_time>.range,
                                .default_value = 1e-3,
-                               .fitted = true}},
+                               .fitted = true,
+                               .tried = {0.1, 0.3, 1.0, 3.0, 10.0},
+                               .tried_in = TriedIn::contact_times}},
                .fades_in = "relaxation_time",
                .signature = "Force ends at x > 0 and its centroid comes early; a dent that "
                             "recovers after the ball has left; stiffness grows with rate.",

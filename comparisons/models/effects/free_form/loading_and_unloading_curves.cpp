@@ -1,10 +1,32 @@
 #include "comparisons/models/effects/free_form/unloading_numbers.hpp"
 
 namespace rebound {
+namespace {
+
+constexpr const char* own_name = "loading-and-unloading-curves";
+
+/// Loading of elastic-curve, or unloading of unloading-curve.
+std::optional<EffectChoice> from_part_of(const EffectChoice& part) {
+  EffectChoice whole{.name = own_name, .size = 0.0, .parameters = {}};
+  if (part.name == "unloading-curve") {
+    whole.size = part.size;
+    whole.parameters = part.parameters;
+    return whole;
+  }
+  if (part.name != "elastic-curve") return std::nullopt;
+  constexpr std::size_t last = FactorCurve::points - 1;
+  for (std::size_t k = 0; k < last; ++k)
+    whole.parameters["load_" + std::to_string(k)] = part.parameters.at("at_" + std::to_string(k));
+  whole.parameters["load_" + std::to_string(last)] = part.size;
+  whole.parameters["deflection_reach"] = part.parameters.at("reach");
+  return whole;
+}
+
+}  // namespace
 
 Effect loading_and_unloading_curves_effect() {
   EffectCard card{
-      .name = "loading-and-unloading-curves",
+      .name = own_name,
       .kind = EffectKind::dissipative,
       .family = EffectFamily::history,
       .sentence =
@@ -25,7 +47,8 @@ Effect loading_and_unloading_curves_effect() {
       .is_free_form = true,
       .after_single_effects = true,
       .curves = {curve_card("deflection_over_radius", "deflection_reach", "load"),
-                 unloading_card()}};
+                 unloading_card()},
+      .from_part = from_part_of};
   const std::vector<EffectParameterCard> load =
       curve_points("load", static_cast<int>(FactorCurve::points));
   card.parameters.insert(card.parameters.begin(), load.begin(), load.end());

@@ -22,9 +22,12 @@ EffectParameterCard ratio(const std::string& name, const std::string& sentence) 
 /// The fast, the middle and the slow one.
 std::array<RelaxationBranch, 3> spectrum_of(const EffectChoice& choice) {
   const double time = choice.parameters.at("relaxation_time");
-  return {{{.ratio = choice.parameters.at("fast_ratio"), .relaxation_time = time / apart},
-           {.ratio = choice.size, .relaxation_time = time},
-           {.ratio = choice.parameters.at("slow_ratio"), .relaxation_time = time * apart}}};
+  const double exponent = choice.parameters.at("exponent");
+  const auto branch = [&](double share, double factor) {
+    return RelaxationBranch{.ratio = share, .relaxation_time = factor * time, .exponent = exponent};
+  };
+  return {branch(choice.parameters.at("fast_ratio"), 1.0 / apart), branch(choice.size, 1.0),
+          branch(choice.parameters.at("slow_ratio"), apart)};
 }
 
 }  // namespace
@@ -35,8 +38,8 @@ Effect relaxation_spectrum_effect() {
                    .family = EffectFamily::memory,
                    .sentence = "Three relaxation times, each six times the one before: the memory "
                                "family without a formula.",
-                   .equation = "F + q_1 + q_2 + q_3, q_i' = s_i F_e' - q_i/tau_i, s_i >= 0; the "
-                               "size is s_2",
+                   .equation = "F + q_1 + q_2 + q_3, q_i' = s_i G' - q_i/tau_i, "
+                               "G = F_e (x/x_r)^p, s_i >= 0; the size is s_2",
                    .size_dimension = dimension::none,
                    .range = limit_of<&RelaxationBranch::ratio>.range,
                    .prior_scale = 0.3,
@@ -47,7 +50,19 @@ Effect relaxation_spectrum_effect() {
                                    .dimension = dimension::time,
                                    .range = limit_of<&RelaxationBranch::relaxation_time>.range,
                                    .default_value = 1e-3,
-                                   .fitted = true}},
+                                   .fitted = true},
+                                  {.name = "exponent",
+                                   .sentence = "Power of x/x_r by which the springs of the "
+                                               "branches differ from the law's: -1/2 makes "
+                                               "Hertz's linear.",
+                                   .dimension = dimension::none,
+                                   .range = limit_of<&RelaxationBranch::exponent>.range,
+                                   .default_value = 0.0,
+                                   .fitted = true,
+                                   .in_fem = false,  // branches follow the elastic stress there
+                                   .kind = ParameterKind::linear,
+                                   .scale = 0.3,
+                                   .prior_deviation = 0.5}},
                    .fades_in = "relaxation_time",
                    .signature = "Force ends early at x > 0; stiffness grows with rate over more "
                                 "than one decade.",

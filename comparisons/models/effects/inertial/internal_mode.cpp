@@ -38,7 +38,8 @@ Effect internal_mode_effect() {
                                .range = limit_of<&InternalMode::damping_ratio>.range,
                                .default_value = 0.02,
                                .fitted = true,
-                               .tried = {0.02}}},
+                               .tried = {0.02},
+                               .most_fitted = 0.5}},  // more does not swing: a damper, a memory
                .oscillator = OscillatorCard{ringing_ball, frequency_of_mode},
                .signature = "Ripple of fixed frequency on the force, whatever the speed; energy "
                             "missing from the rebound that is not in the loop.",

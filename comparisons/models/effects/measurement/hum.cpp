@@ -21,8 +21,8 @@ Effect hum_effect() {
                                .range = from_to(1.0, 1e6),
                                .default_value = 1e3,
                                .fitted = true,
-                               .tried = {250.0, 500.0, 750.0, 1000.0, 1300.0, 1600.0, 2000.0,
-                                         2400.0, 2800.0, 3200.0, 3600.0, 4000.0}},
+                               .tried = {0.75, 1.0, 1.5, 2.0, 2.6, 3.3, 4.1, 5.0, 6.0},
+                               .tried_in = TriedIn::per_contact_time},
                               {.name = "phase",
                                .sentence = "At first touch, in radians.",
                                .dimension = dimension::none,
@@ -31,6 +31,7 @@ Effect hum_effect() {
                                .fitted = true,
                                .kind = ParameterKind::linear,
                                .tried = {0.0, 0.5 * pi}}},
+               .is_linear = true,
                .signature = "An oscillation before, during and after contact, of one amplitude and "
                             "frequency at all speeds.",
                .experiment =

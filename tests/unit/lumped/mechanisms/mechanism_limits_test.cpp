@@ -30,6 +30,23 @@ TEST(RelaxationTest, SlowBranchIsStiffness) {
   expect_same_impact(slow, stiffer, 1e-5);
 }
 
+// A slow branch of exponent -1/2 on Hertz's k x^1.5 is a linear spring s k sqrt(x_r) beside it: at
+// the largest deflection  m v^2 / 2 = 2/5 k x^2.5 + s k sqrt(x_r) x^2 / 2.
+TEST(RelaxationTest, AnExponentMakesTheSpringOfABranchLinear) {
+  constexpr double ratio = 0.3;
+  const LumpedProblem problem = with(elastic_problem(), [](Mechanisms& m) {
+    m.relaxation = {.ratio = ratio, .relaxation_time = 1e7, .exponent = -0.5};
+  });
+  const LumpedResult result = simulate_fast(problem);
+  const double x = result.scalars.peak_deflection;
+  const double x_r = 0.1 * problem.sphere.radius();
+  const double held =
+      0.4 * stiffness * std::pow(x, 2.5) + 0.5 * ratio * stiffness * std::sqrt(x_r) * x * x;
+  const double brought = 0.5 * problem.sphere.mass * std::pow(problem.impact.speed, 2);
+  EXPECT_NEAR(held / brought, 1.0, 1e-5);
+  EXPECT_NEAR(result.scalars.restitution, 1.0, 1e-4);
+}
+
 TEST(RelaxationTest, FastBranchIsNothing) {
   const LumpedProblem plain = test::typical_problem("hunt-crossley");
   double before = 1.0;
