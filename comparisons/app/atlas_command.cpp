@@ -12,9 +12,11 @@
 #include "comparisons/app/terminal.hpp"
 #include "comparisons/evaluation/atlas/atlas_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
+#include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/io/toml/reader.hpp"
+#include "comparisons/io/toml/toml_writer.hpp"
 #include "comparisons/models/fem_access/fem_runner.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "fem/interface/check_problem.hpp"
@@ -36,8 +38,8 @@ std::string atlas_help() {
          exit_code_help();
 }
 
-/// One mesh for all of the grid, for the smallest of its contacts.
-FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
+/// The impact of the smallest contact, for which the one mesh of the grid is made.
+FemProblem smallest_contact(const AtlasGrid& grid) {
   FemProblem smallest;
   double radius = std::numeric_limits<double>::infinity();
   for (const AtlasMaterial& material : materials_of(grid)) {
@@ -48,7 +50,7 @@ FemRunner runner_of(const AtlasGrid& grid, const RunControl& control) {
     if (found < radius) smallest = problem;
     radius = std::min(radius, found);
   }
-  return fem_runner(mesh_for(smallest, control), smallest.sphere, control);
+  return smallest;
 }
 
 ExitCode run_atlas(const Session& session, const std::string& path) {
@@ -66,11 +68,12 @@ ExitCode run_atlas(const Session& session, const std::string& path) {
   }
   const std::filesystem::path out = session.out.empty() ? default_folder : session.out;
   make_writable_folder(out);
-  make_writable_folder(out);
   const Atlas atlas = [&] {
     ProgressLine progress("atlas");
     const RunControl control = progress.control();
-    return make_atlas(grid, runner_of(grid, control), ImpactStore(out / "impacts.sqlite"), control);
+    const FemProblem smallest = smallest_contact(grid);
+    return make_atlas(grid, fem_runner(mesh_for(smallest, control), smallest.sphere, control),
+                      ImpactStore(out / "impacts.sqlite", write_toml(smallest)), control);
   }();
   Json json = to_json(atlas);
   write_file_atomically(out / "atlas.csv", to_csv(atlas));

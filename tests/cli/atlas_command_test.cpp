@@ -9,28 +9,36 @@ namespace {
 class AtlasCommand : public ProgramTest {};
 
 TEST_F(AtlasCommand, MapsAreWrittenAndAKilledOneGoesOn) {
-  const auto grid = [&](const std::string& speeds) {
-    folder.write("grid.toml", "schema = 1\nspeeds = [" + speeds +
-                                  "]\nloss_factors = [0.1]\npoisson_ratios = [0.4]\n"
-                                  "relaxation_times = [0.1]\ncells = 100\n");
+  const auto grid = [&](const std::string& losses) {
+    folder.write("grid.toml", "schema = 1\nspeeds = [0.03, 0.08]\nloss_factors = [" + losses +
+                                  "]\npoisson_ratios = [0.4]\nrelaxation_times = [0.1]\n"
+                                  "cells = 100\n");
   };
-  grid("0.03, 0.08");
+  grid("0.05, 0.1");
   const auto first = rebound({"atlas", "grid.toml", "--json", "--out", "atlas"});
   ASSERT_EQ(first.exit_code, 0) << first.errors;
   const auto json = nlohmann::json::parse(first.output);
-  EXPECT_EQ(json["impacts"], 2);
-  EXPECT_EQ(json["impacts_run"], 2);
+  EXPECT_EQ(json["impacts"], 4);
+  EXPECT_EQ(json["impacts_run"], 4);
   EXPECT_EQ(json["impacts_failed"], 0);
   for (const char* name : {"atlas/atlas.json", "atlas/atlas.csv", "atlas/report.html"})
     EXPECT_TRUE(there(name)) << name;
-  // One of the two is there, as after a kill: only the other is run.
-  grid("0.08");
+  // Two of the four are there, as after a kill: only the others are run. The mesh is the same, for
+  // the stiffer ball has the smaller contact.
+  grid("0.1");
   ASSERT_EQ(rebound({"atlas", "grid.toml", "--out", "killed"}).exit_code, 0);
-  grid("0.03, 0.08");
+  grid("0.05, 0.1");
   const auto again = rebound({"atlas", "grid.toml", "--json", "--out", "killed"});
   const auto resumed = nlohmann::json::parse(again.output);
-  EXPECT_EQ(resumed["impacts_run"], 1);
-  EXPECT_EQ(resumed["spreads"], json["spreads"]);
+  EXPECT_EQ(resumed["impacts_run"], 2);
+  EXPECT_TRUE(resumed["spreads"] == json["spreads"]);
+  // Slower impacts have a smaller contact and another mesh: nothing of the old one is used.
+  folder.write("grid.toml",
+               "schema = 1\nspeeds = [0.02, 0.08]\nloss_factors = [0.1]\n"
+               "poisson_ratios = [0.4]\nrelaxation_times = [0.1]\ncells = 100\n");
+  const auto slower = rebound({"atlas", "grid.toml", "--json", "--out", "killed"});
+  EXPECT_EQ(nlohmann::json::parse(slower.output)["impacts_run"], 2);
+  grid("0.05, 0.1");
   const auto repeated = rebound({"atlas", "grid.toml", "--json", "--out", "atlas"});
   EXPECT_EQ(nlohmann::json::parse(repeated.output)["impacts_run"], 0);
   std::ofstream(folder.path() / "atlas" / "impacts.sqlite") << "{}";

@@ -162,15 +162,6 @@ TEST_F(CampaignCommand, TracesAreKeptWhereTheyAreAskedFor) {
             2);
 }
 
-// In processor time, which other programs do not lengthen. A tenth is far above what is measured
-// (README of the room) and below what a text and a digest of each member cost once.
-TEST_F(CampaignCommand, CostsLittleBesideItsImpacts) {
-  const auto done = run({"many.toml", "--out", "store", "--threads", "1"});
-  const double impacts = done["impact_processor_s"], all = done["processor_s"];
-  EXPECT_GT(impacts, 0.0);
-  EXPECT_LT(all / impacts, 1.10) << all << " s of processor time for impacts of " << impacts;
-}
-
 TEST_F(CampaignCommand, AMemberThatCannotBeRunIsKeptWithItsReason) {
   folder.write("sizes.toml", R"(schema = 1
 base = "ball.toml"

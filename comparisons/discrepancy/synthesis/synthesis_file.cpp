@@ -129,6 +129,12 @@ void describe(Visitor& visit, SynthesisSampling& sampling) {
                 .unit = "ms",
                 .range = from_to(0.0, 1.0)},
                sampling.after);
+  visit.number({.name = "trigger_jitter",
+                .sentence = "One standard deviation of the place of first touch in the record.",
+                .presence = optional,
+                .unit = "ms",
+                .range = from_to(0.0, 0.1)},
+               sampling.trigger_jitter);
 }
 
 void describe(Visitor& visit, RandomEffects& random) {

@@ -45,12 +45,14 @@ AtlasImpact impact_of(MemberResult member, const FemProblem& problem) {
 
 }  // namespace
 
-ImpactStore::ImpactStore(const std::filesystem::path& file)
-    : program_(running_program()), store_(file, ResultStore::Access::write, program_) {}
+ImpactStore::ImpactStore(const std::filesystem::path& file, std::string mesh)
+    : program_(running_program()),
+      mesh_(std::move(mesh)),
+      store_(file, ResultStore::Access::write, program_) {}
 
 std::string ImpactStore::key_of(const FemProblem& problem) const {
   constexpr std::size_t digits = 32;
-  return sha256(program_ + "\natlas\n" + write_toml(problem)).substr(0, digits);
+  return sha256(program_ + "\natlas\n" + mesh_ + "\n" + write_toml(problem)).substr(0, digits);
 }
 
 std::optional<AtlasImpact> ImpactStore::find(const FemProblem& problem) const {

@@ -18,13 +18,14 @@ struct AtlasImpact {
   MeasuredImpact shot;
 };
 
-/// Impacts in a store of results (comparisons/io/result_store), keyed by what was asked and by the
-/// program that ran them. A killed atlas finds what it had finished. May be called from several
-/// threads at once.
-/// Errors: those of ResultStore, Error(corrupt_store) among them for results of another program.
+/// Impacts in a store of results (comparisons/io/result_store), keyed by what was asked, the mesh
+/// and the program that ran them. A killed atlas finds what it had finished. May be called from
+/// several threads at once. Errors: those of ResultStore, Error(corrupt_store) among them for
+/// results of another program.
 class ImpactStore {
  public:
-  explicit ImpactStore(const std::filesystem::path& file);
+  /// `mesh`: what the one mesh of all impacts was made for; on another mesh they are others.
+  explicit ImpactStore(const std::filesystem::path& file, std::string mesh = {});
 
   std::optional<AtlasImpact> find(const FemProblem& problem) const;
   void keep(const FemProblem& problem, const AtlasImpact& impact) const;
@@ -32,7 +33,7 @@ class ImpactStore {
  private:
   std::string key_of(const FemProblem& problem) const;
 
-  std::string program_;
+  std::string program_, mesh_;
   mutable std::mutex guard_;
   mutable ResultStore store_;
 };

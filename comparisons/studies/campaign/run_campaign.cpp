@@ -67,8 +67,7 @@ class Keeper {
     impact_seconds_ += seconds;
     impact_processor_ += processor_seconds;
     waiting_.push_back(std::move(member));
-    constexpr double longest_wait = 0.1;
-    if (seconds_since(last_) >= longest_wait) keep();
+    if (seconds_since(last_) >= wait_) keep();
   }
 
   void keep_all() {
@@ -84,7 +83,9 @@ class Keeper {
  private:
   void keep() {
     const std::vector<KeptMember> members = std::exchange(waiting_, {});
+    const auto start = Clock::now();
     store_.keep(members);
+    wait_ = std::clamp(waits_a_commit * seconds_since(start), shortest_wait, longest_wait);
     run_ += members.size();
     failed_ += static_cast<std::size_t>(
         std::count_if(members.begin(), members.end(),
@@ -93,7 +94,12 @@ class Keeper {
     kept_();
   }
 
+  // A commit writes as many pages as it has members, for keys are random: it is to cost no more
+  // than a fiftieth of the time.
+  static constexpr double shortest_wait = 0.1, longest_wait = 1.0, waits_a_commit = 50.0;
+
   ResultStore& store_;
+  double wait_ = shortest_wait;
   std::function<void()> kept_;
   std::mutex guard_;
   std::vector<KeptMember> waiting_;
@@ -168,7 +174,7 @@ CampaignProgress run_campaign(const Campaign& campaign, const std::filesystem::p
   progress.threads = worker_threads();
   progress.file = shard_file(store, shard);
   const std::size_t all = campaign.size();
-  progress.members = (all + shard.of - shard.number) / shard.of;
+  progress.members = members_of(shard, all);
   ResultStore results(progress.file, ResultStore::Access::write, campaign.program());
   results.keep_campaign(campaign.digest(), campaign.text());
   std::vector<ResultStore> earlier = earlier_results(store, shard, campaign.program());
@@ -180,9 +186,11 @@ CampaignProgress run_campaign(const Campaign& campaign, const std::filesystem::p
                        static_cast<double>(progress.members));
   });
   DesignSampler sampler(campaign.design());
-  for (std::size_t next = shard.number - 1; next < all;) {
+  for (std::size_t round = 0; round * shard.of < all;) {
     std::vector<std::size_t> numbers;
-    for (; next < all && numbers.size() < block; next += shard.of) numbers.push_back(next);
+    for (; round * shard.of < all && numbers.size() < block; ++round)
+      if (const std::size_t number = member_in_round(shard, round); number < all)
+        numbers.push_back(number);
     CampaignMembers members = make_members(campaign, sampler, numbers);
     find_known(members, stores, progress);
     run_members(campaign, members, keeper, control);

@@ -31,9 +31,10 @@ Json to_json(const CampaignProgress& progress);
 
 /// Runs the members of a shard whose results are not in `store` (a folder) and keeps each there.
 ///
-/// Results are kept at least every 100 ms as members end: a killed process loses what was run in
-/// that time. A shard writes to a file of its own; results in files of other divisions of the same
-/// folder are used. Memory does not grow with the members -> README, and the sampler's own. Errors:
+/// Results are kept every 100 ms as members end, less often where that would cost more than a
+/// fiftieth of the time, but every second: a killed process loses what was run since. A shard
+/// writes to a file of its own; results in files of other divisions of the same folder are used.
+/// Memory does not grow with the members -> README, and the sampler's own. Errors:
 /// Error(interrupted) after what was run is kept; those of ResultStore.
 CampaignProgress run_campaign(const Campaign& campaign, const std::filesystem::path& store,
                               const Shard& shard, const RunControl& control);

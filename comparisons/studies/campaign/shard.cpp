@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,20 @@ std::size_t whole_of(std::string_view text) {
 }
 
 }  // namespace
+
+std::size_t member_in_round(const Shard& shard, std::size_t round) {
+  // The mixing step of SplitMix64 (Steele, Lea & Flood 2014).
+  std::uint64_t mixed = (round + 1) * 0x9e3779b97f4a7c15ULL;
+  mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebULL;
+  mixed ^= mixed >> 31U;
+  return round * shard.of + (shard.number - 1 + mixed % shard.of) % shard.of;
+}
+
+std::size_t members_of(const Shard& shard, std::size_t all) {
+  const std::size_t rounds = all / shard.of;
+  return rounds + (member_in_round(shard, rounds) < all ? 1 : 0);
+}
 
 Shard parse_shard(const std::string& text) {
   const auto slash = std::min(text.find('/'), text.size());

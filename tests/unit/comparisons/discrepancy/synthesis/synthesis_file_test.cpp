@@ -25,6 +25,19 @@ TEST(SynthesisFileTest, APlainImpactFileIsOne) {
   EXPECT_EQ(file.lumped.parameters.at("stiffness"), 3.5e6);
 }
 
+TEST(SynthesisFileTest, TheWholeInstrumentIsRead) {
+  const auto file = read_synthesis(Document::parse(
+      head + "[[shot]]\nspeed = \"15 m/s\"\n[sampling]\ntrigger_jitter = \"0.02 ms\"\n"
+             "[random]\ncount = 1\n[instrument]\nforce_noise = \"5 N\"\ncamera_rate = \"4000 Hz\"\n"
+             "noise_correlation_time = \"0.01 ms\"\nforce_filter_class = \"1000 Hz\"\n",
+      "f"));
+  EXPECT_EQ(file.sampling.trigger_jitter, 20e-6);
+  EXPECT_EQ(*file.instrument.noise_correlation_time, 10e-6);
+  EXPECT_EQ(*file.instrument.force_filter_class, 1000.0);
+  EXPECT_EQ(*file.instrument.camera_rate, 4000.0);
+  EXPECT_EQ(file.effects.size(), 1u);
+}
+
 TEST(SynthesisFileTest, AnFeModelIsRead) {
   const auto file = read_synthesis(Document::parse(
       "schema = 1\n[sphere]\nmass = \"89.6 g\"\ndiameter = \"66.2 mm\"\n[model]\ntier = \"fem\"\n"
