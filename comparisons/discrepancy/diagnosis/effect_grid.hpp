@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparisons/inference/calibration/observations.hpp"
@@ -34,5 +35,14 @@ std::vector<EffectChoice> stronger_effects(const OscillatorCard& card, const Eff
 
 /// Where searches may start.
 std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen);
+
+/// The points of one kind of grid, of all effects in turn.
+template <class Grid>
+std::vector<EffectChoice> of_all(const std::vector<std::string>& effects, const Grid& grid) {
+  std::vector<EffectChoice> choices;
+  for (const std::string& name : effects)
+    for (EffectChoice& one : grid(find_effect(name).card)) choices.push_back(std::move(one));
+  return choices;
+}
 
 }  // namespace rebound

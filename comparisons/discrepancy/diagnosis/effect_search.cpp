@@ -10,38 +10,6 @@
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
-namespace {
-
-/// Searches per effect; the best of a grid first.
-constexpr std::size_t starts_per_effect = 2;
-
-/// A free form has many numbers; of all others, those of three and more are not simple.
-bool is_simple(const std::string& name) {
-  constexpr std::ptrdiff_t most_parameters = 1;
-  const auto& parameters = find_effect(name).card.parameters;
-  return std::count_if(parameters.begin(), parameters.end(), [](const EffectParameterCard& one) {
-           return one.fitted;
-         }) <= most_parameters;
-}
-
-/// A set holds one fault of the measurement at most, and none of three numbers or more: a burst
-/// or a hum beside an effect fits whatever the effect leaves.
-bool may_join(const std::string& name, const HypothesisFit& set) {
-  const auto fault = [](const EffectChoice& one) { return is_measurement(one.name); };
-  return !is_measurement(name) ||
-         (is_simple(name) && std::none_of(set.effects.begin(), set.effects.end(), fault));
-}
-
-/// Of a formula and the free form that contains it, sets grow from the formula: the further numbers
-/// of the form would fit what another effect leaves.
-bool may_grow(const HypothesisFit& set) {
-  return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
-    if (is_measurement(one.name)) return is_simple(one.name);
-    return find_effect(one.name).card.contains.empty();
-  });
-}
-
-}  // namespace
 
 EffectNames names_of(const std::vector<EffectChoice>& effects) {
   EffectNames names;
@@ -66,74 +34,6 @@ bool EffectSearch::singles() {
   return found(fits);
 }
 
-bool EffectSearch::sets_of(std::size_t count) {
-  std::vector<Extension> all = extensions(count);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Extension& a, const Extension& b) { return a.expected < b.expected; });
-  if (std::ssize(all) > rules_.fitted_pairs)
-    all.resize(static_cast<std::size_t>(rules_.fitted_pairs));
-  const std::vector<AssessedFit> before = selection_.tried;
-  const std::vector<std::string> forms =
-      count == 2 ? free_forms(base().effects, true) : std::vector<std::string>{};
-  Fits fits = fit_all(all.size() + forms.size(), [&](std::size_t i) {
-    if (i >= all.size()) return look_at_whole(find_effect(forms[i - all.size()]).card, before);
-    return fit_extended(seen_, before[all[i].from].fit, all[i].starts, SearchEffort::first_look,
-                        within());
-  });
-  finish(fits);
-  return found(fits);
-}
-
-/// A free form of many numbers is looked for from nothing, and from the free forms that it
-/// contains.
-HypothesisFit EffectSearch::look_at_whole(const EffectCard& card,
-                                          const std::vector<AssessedFit>& before) const {
-  HypothesisFit best = fit_extended(seen_, base(), starts_of_free_form(card, seen_, base()),
-                                    SearchEffort::first_look, within());
-  for (const AssessedFit& one : before) {
-    if (!card.from_part || added(one.fit) != 1) continue;
-    const auto start = card.from_part(one.fit.effects.back());
-    if (!start) continue;
-    HypothesisFit part = one.fit;
-    part.effects.pop_back();
-    HypothesisFit whole = fit_extended(seen_, part, {*start}, SearchEffort::first_look, within());
-    if (whole.chi_square < best.chi_square) best = std::move(whole);
-  }
-  return best;
-}
-
-bool EffectSearch::prune() {
-  bool pruned = false;
-  // Without one effect a set may still hold another that it does not need.
-  for (std::size_t count = rules_.most_effects; count > 2; --count) {
-    const std::vector<Hypothesis> smaller = without_one(count);
-    if (smaller.empty()) continue;
-    pruned = found(fit_all(smaller.size(), [&](std::size_t i) {
-      return fit_hypothesis(seen_, smaller[i], within());
-    }));
-  }
-  return pruned;
-}
-
-/// What is left of the sets of `count` effects that stand, each with one taken out; not what has
-/// been tried.
-std::vector<Hypothesis> EffectSearch::without_one(std::size_t count) const {
-  std::vector<Hypothesis> smaller;
-  std::set<EffectNames> known;
-  for (const std::size_t i : selection_.indistinguishable) {
-    const HypothesisFit& fit = selection_.tried[i].fit;
-    if (added(fit) != count) continue;
-    for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
-      Hypothesis one = fit.hypothesis;
-      one.effects = fit.effects;
-      one.effects.erase(one.effects.begin() + static_cast<std::ptrdiff_t>(k));
-      const EffectNames names = names_of(one.effects);
-      if (!is_tried(names) && known.insert(names).second) smaller.push_back(std::move(one));
-    }
-  }
-  return smaller;
-}
-
 /// How far the χ² of a fit would fall with one effect more: to first order along the effect, or at
 /// the best point of its grid.
 EffectSearch::Ranked EffectSearch::ranking(const EffectSensitivities& around, double chi_square) {
@@ -156,36 +56,6 @@ EffectSearch::Ranked EffectSearch::best_of_each_kind(const Ranked& ranked) const
     if (count++ < most) best.push_back(one);
   }
   return best;
-}
-
-std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count) const {
-  std::vector<Extension> all;
-  std::set<EffectNames> known;
-  constexpr std::size_t beam = 4;
-  std::size_t taken = 0;
-  for (std::size_t i = 0; i < selection_.tried.size() && taken < beam; ++i) {
-    const HypothesisFit& smaller = selection_.tried[i].fit;
-    if (added(smaller) != count - 1 || !may_grow(smaller)) continue;
-    ++taken;
-    const EffectNames own = names_of(smaller.effects);
-    // Where to start, the fine grid around the baseline tells; here is but an order.
-    const EffectSensitivities near(seen_, smaller, absent_from(smaller.effects, effects_),
-                                   GridDetail::coarse);
-    for (const auto& [name, gain] : ranking(near, smaller.chi_square)) {
-      if (!may_join(name, smaller)) continue;
-      EffectNames set = own;
-      set.insert(name);
-      if (known.insert(set).second)
-        all.push_back(
-            {i, name, around_.starts(name, starts_per_effect), smaller.chi_square - gain});
-    }
-  }
-  return all;
-}
-
-bool EffectSearch::is_tried(const EffectNames& names) const {
-  return std::any_of(selection_.tried.begin(), selection_.tried.end(),
-                     [&](const auto& one) { return names_of(one.fit.effects) == names; });
 }
 
 /// Fits that are independent of each other; effects that cannot act here, or whose impacts end

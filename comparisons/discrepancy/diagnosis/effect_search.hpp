@@ -51,6 +51,8 @@ class EffectSearch {
     std::vector<EffectChoice> starts;
     double expected = 0.0;  ///< χ²
   };
+  /// Searches per effect; the best of a grid first.
+  static constexpr std::size_t starts_per_effect = 2;
   /// Names with what they promise, best first.
   using Ranked = std::vector<std::pair<std::string, double>>;
 
