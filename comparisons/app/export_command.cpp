@@ -26,8 +26,11 @@ std::string export_help() {
     targets += fmt::format("  {:<12}{}\n", target.name, target.code);
   return "Targets:\n" + targets +
          "\nThe head of a deck says what the code does otherwise; physics that it has no part for "
-         "is refused.\nWithout --out the deck goes to standard output. --out NAME.inp (.feb) "
-         "writes it there, --out DIR to DIR/impact.inp (.feb).\n\nKeys of FILE (TOML):\n" +
+         "is refused.\nWithout --out the deck goes to standard output. --out NAME.inp (.feb, .k, "
+         ".py) "
+         "writes it there, --out DIR to DIR/impact.inp (.feb, .k, .py). The deck for FEniCSx is a "
+         "script that prints\nrestitution, deflection and force: python3 impact.py\n\nKeys of FILE "
+         "(TOML):\n" +
          help_text<FemImpactFile>() + "\n" + exit_code_help();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 namespace rebound::fem {
 
@@ -80,35 +79,14 @@ PlateState MovingPlate::state() const {
           .damper = damper_ - 0.5 * damper_last_};
 }
 
-double MovingPlate::free_displacement(double ahead) const {
-  // y = ½ Σ± (y₀ ± s/(ib)) e^{(−a ± ib)t}, s = v₀ + a y₀; b imaginary when overdamped.
-  using Complex = std::complex<double>;
-  const double a = 0.5 * damping_ / mass_;
-  const double s = velocity_ + a * displacement_;
-  const Complex ib = std::sqrt(Complex(a * a - stiffness_ / mass_));
-  if (std::abs(ib) * ahead < 1e-8) return std::exp(-a * ahead) * (displacement_ + s * ahead);
-  return 0.5 * ((displacement_ + s / ib) * std::exp((ib - a) * ahead) +
-                (displacement_ - s / ib) * std::exp((-ib - a) * ahead))
-                   .real();
-}
-
 bool MovingPlate::is_clear_of(const std::vector<double>& displacement,
                               const Departure& body) const {
-  const double lowest = gap(displacement) - body.vibration;
-  // The energy left bounds both excursion and speed of the free plate.
-  const double energy = mass_ * velocity_ * velocity_ + stiffness_ * displacement_ * displacement_;
-  if (body.speed > 0.0 && lowest > std::sqrt(energy / stiffness_)) return true;
-  const double closing = std::sqrt(energy / mass_) + std::abs(body.speed);
-  // March ahead by what the gap then left cannot close.
-  constexpr int most_looks = 1000;
-  double ahead = 0.0;
-  for (int look = 0; look < most_looks; ++look) {
-    const double left = lowest + body.speed * ahead + free_displacement(ahead);
-    if (!(left > 0.0)) return false;
-    ahead += std::max(left / closing, 1e-4 * body.horizon);
-    if (ahead > body.horizon) return true;
-  }
-  return false;
+  return is_out_of_reach({.mass = mass_,
+                          .stiffness = stiffness_,
+                          .damping = damping_,
+                          .displacement = displacement_,
+                          .velocity = velocity_},
+                         gap(displacement), body);
 }
 
 }  // namespace rebound::fem

@@ -47,8 +47,6 @@ class MovingPlate final : public PlateContact {
   bool is_clear_of(const std::vector<double>& displacement, const Departure& body) const override;
 
  private:
-  /// Displacement of the plate left to itself, `ahead` seconds from now.
-  double free_displacement(double ahead) const;
   /// `pull`: impulse of adhesion over the step [N s].
   double solve_velocity(const std::vector<double>& displacement, double pull,
                         const std::vector<double>& velocity, const StepSpan& span) const;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/contact/adhesive_layer.hpp"
+#include "fem/contact/free_plate.hpp"
 #include "fem/discretisation/discretisation.hpp"
 
 namespace rebound::fem {
@@ -31,13 +32,6 @@ struct PlateState {
   double kinetic = 0.0;       ///< [J]
   double spring = 0.0;        ///< [J]
   double damper = 0.0;        ///< dissipated so far [J]
-};
-
-/// A body that has left the plate, or only seems to have.
-struct Departure {
-  double speed = 0.0;      ///< of its centre of mass, away from the plate [m/s]
-  double vibration = 0.0;  ///< largest distance its surface may amplitude towards the plate [m]
-  double horizon = 0.0;    ///< how far ahead a new contact counts [s]
 };
 
 /// What touching the plate brings beside being held.

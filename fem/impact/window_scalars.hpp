@@ -3,12 +3,9 @@
 #include <vector>
 
 #include "fem/impact/impulse_bins.hpp"
+#include "fem/interface/check_problem.hpp"
 
 namespace rebound::fem {
-
-/// Averaging windows in one Hertz contact time: 20 µs for a ball of 66.2 mm, 89.6 g, 10 MPa,
-/// ν = 0.4 at 15 m/s.
-inline constexpr double windows_per_contact = 93.0;
 
 /// Scalars of a contact force that is known as impulse, each from means over a window of fixed
 /// physical length: none moves with the spacing of a trace.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,12 +24,25 @@ struct EquilibriumTask {
   /// residual + F · load = 0 with load · u = travel. Empty: none.
   Eigen::VectorXd load{};
   double travel = 0.0;
+  /// Of a plate that moves: stiffness · y + load = Σ λ, y its displacement.
+  struct PlateBalance {
+    double stiffness = 0.0;  ///< [N/m]
+    double load = 0.0;       ///< [N]
+  };
+  std::optional<PlateBalance> plate{};
   /// Without inertia and without a plate that holds it, a body is nowhere.
   bool needs_contact = false;
 };
 
 /// Newton's method with a sparse direct solve, on a system whose contact nodes
-/// are held or free. Ends when the residual of the free unknowns is below 1e-9
+/// are held or free. A plate that moves is one unknown more: how the body answers to its motion,
+/// w with −1 at every held node, is found with the same factors,
+///
+///   P (y + δ) + q = Σ_held (r + K (Δu + δ w))
+///
+///   r residual, Δu the change while the plate rests, P and q of EquilibriumTask::plate
+///
+/// Ends when the residual of the free unknowns is below 1e-9
 /// of the scale (or is rounding) and the active set stands still.
 class EquilibriumSearch {
  public:
@@ -50,14 +64,19 @@ class EquilibriumSearch {
   void fix(const EquilibriumTask& task, const Eigen::VectorXd& u, const ActiveSet& held);
   double free_norm() const;
   double largest_miss() const;
-  bool solve_change(const EquilibriumTask& task, const Eigen::VectorXd& u, Result& result);
+  bool solve_change(const EquilibriumTask& task, const Eigen::VectorXd& u, ActiveSet& held,
+                    Result& result);
+  void move_plate(const EquilibriumTask::PlateBalance& plate, ActiveSet& held,
+                  const Eigen::VectorXd& u);
+  double plate_miss(const EquilibriumTask& task, const ActiveSet& held) const;
 
   std::vector<int> axis_nodes_;
   double reach_;
-  SystemMatrix matrix_;
+  SystemMatrix matrix_, whole_;  ///< condensed, and before
   ConstrainedSolver solver_;
   ConstrainedSolver::Given fixed_;  ///< changes that are known
   Eigen::VectorXd residual_, change_;
+  double plate_change_ = 0.0;
 };
 
 }  // namespace rebound::fem

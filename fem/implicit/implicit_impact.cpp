@@ -2,93 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "fem/impact/adhesive_approach.hpp"
-#include "fem/impact/energy_check.hpp"
 #include "fem/impact/impact_conclusion.hpp"
-#include "fem/impact/impact_recorder.hpp"
 #include "fem/impact/residual_vibration.hpp"
 #include "fem/impact/timed_impact.hpp"
-#include "fem/implicit/adhesive_sides.hpp"
-#include "fem/implicit/equilibrium.hpp"
-#include "fem/implicit/implicit_fields.hpp"
-#include "fem/implicit/separation_time.hpp"
-#include "fem/implicit/time_weights.hpp"
+#include "fem/implicit/implicit_steps.hpp"
 #include "fem/interface/adhesive_range.hpp"
 #include "fem/interface/check_problem.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound::fem {
 namespace {
 
-/// Everything that a step changes.
-struct MotionState {
-  Eigen::VectorXd u, v, a, force, reaction;
-  double time = 0.0;
-};
+/// Unknowns of contact nodes that have no inertia: in z, and in r where the plate rubs.
+std::vector<int> massless_unknowns(const QuadraticBody& body, bool rubs) {
+  std::vector<int> unknowns;
+  for (const ContactPlace& place : body.contact) {
+    if (rubs) unknowns.push_back(2 * place.node);
+    unknowns.push_back(2 * place.node + 1);
+  }
+  return unknowns;
+}
 
-class ImplicitImpact {
- public:
-  ImplicitImpact(const Mesh& mesh, const FemProblem& problem);
-  FemResult run(const RunControl& control);
-
- private:
-  void begin_approach();
-  bool approach(double step, const RunControl& control);
-  bool advance(double step, int cuts);
-  Eigen::VectorXd first_guess(double step) const;
-  EquilibriumTask task_of(double step) const;
-  bool nearly_incompressible() const { return forces_.law().constants().mean_dilatation; }
-  void accept(double step, MotionState next);
-  void show_to_fields(double step, const MotionState& next);
-  void sample();
-  void fill(EnergyBalance& balance) const;
-  bool contact_is_over() const;
-  FemResult finish(std::string incomplete_because);
-  void conclude(FemResult& result) const;
-
-  const FemProblem& problem_;
-  QuadraticBody body_;
-  BodyForces forces_;
-  const TimeWeights weights_ = time_weights(nearly_incompressible());
-  AdhesiveTraction traction_;  ///< its range chosen
-  std::optional<AdhesiveSides> adhesion_;
-  EquilibriumSearch search_;
-  ActiveSet held_;
-  std::vector<int> massless_;  ///< unknowns without inertia
-  MotionState now_;
-  Eigen::VectorXd last_change_;
-  double expected_time_, end_time_, interval_;
-  int steps_per_sample_;
-  ImpactRecorder recorder_;
-  std::optional<ImplicitFields> fields_;  ///< where they are asked for
-  bool approaching_ = false;              ///< pulled, and not touched yet: nothing is recorded
-  double touch_speed_;                    ///< [m/s]
-  EnergyBalance energies_;
-  std::string failure_;
-  int pole_ = 0;
-  long steps_ = 0;
-  double smallest_step_;
-  double constraint_work_ = 0.0;
-  SeparationTime separation_;  ///< of the plate's push, adhesion not in it
-  double pull_ = 0.0;          ///< of adhesion [N]
-  double contact_radius_ = 0.0, contact_radius_peak_ = 0.0;
-  EnergyCheck balance_;
-};
+}  // namespace
 
 ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
     : problem_(problem),
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
-      forces_(body_, problem.material, ContactInertia::removed),
+      forces_(
+          body_, problem.material,
+          problem.plate.friction > 0.0 ? ContactInertia::removed_wholly : ContactInertia::removed),
       traction_(chosen_adhesion(problem, forces_.law().constants().instantaneous)),
       search_(body_, forces_.mass()),
-      held_(body_),
+      held_(body_, problem.plate.friction),
+      method_(time_weights(nearly_incompressible()),
+              massless_unknowns(body_, problem.plate.friction > 0.0)),
       expected_time_(expected_contact_time(problem, forces_.law().constants().instantaneous)),
       end_time_(problem.controls.end_time > 0 ? problem.controls.end_time : 20 * expected_time_),
       interval_(problem.controls.output_interval > 0 ? problem.controls.output_interval
                                                      : expected_time_ / 200),
-      recorder_(interval_, expected_time_),
+      recorder_(interval_, expected_time_,
+                problem.plate.moves() ? Reading::load_cell : Reading::contact_force),
       touch_speed_(problem.impact.speed),
       balance_(0.5 * problem.sphere.mass * problem.impact.speed * problem.impact.speed) {
   const double asked = problem.controls.step_safety / 0.9 * expected_time_ / 200;
@@ -104,8 +58,8 @@ ImplicitImpact::ImplicitImpact(const Mesh& mesh, const FemProblem& problem)
     now_.a[2 * node + 1] = -problem.gravity;
     if (body_.position[node][1] > body_.position[pole_][1]) pole_ = node;
   }
-  for (const ContactPlace& place : body_.contact) massless_.push_back(2 * place.node + 1);
-  for (const int unknown : massless_) now_.a[unknown] = 0.0;
+  for (const ContactPlace& place : body_.contact) now_.a[2 * place.node + 1] = 0.0;
+  if (problem.plate.moves()) plate_.emplace(problem.plate);
   last_change_.setZero(size);
   if (traction_.acts()) {
     adhesion_.emplace(body_, traction_);
@@ -129,116 +83,6 @@ void ImplicitImpact::begin_approach() {
   for (int node = 0; node < body_.node_count(); ++node) now_.v[2 * node + 1] = -start.speed;
 }
 
-/// Up to first touch, which is time zero: the last step ends there.
-bool ImplicitImpact::approach(double step, const RunControl& control) {
-  const auto speed = [&] { return -forces_.axial_mass().dot(now_.v) / body_.mass; };
-  while (held_.gap(now_.u) > speed() * step)
-    if ((control.interrupted && control.interrupted()) || !advance(step, 6)) return false;
-  const double rest = held_.gap(now_.u) / speed();
-  if (rest > 1e-3 * step && !advance(rest, 6)) return false;
-  approaching_ = false;
-  now_.time = 0.0;
-  touch_speed_ = speed();
-  return true;
-}
-
-/// Residual of one step as a function of the displacement at its end.
-EquilibriumTask ImplicitImpact::task_of(double step) const {
-  const double per_change = 1.0 / (weights_.beta * step * step);
-  const Eigen::VectorXd carried = (1.0 - weights_.mass) * (per_change * (now_.u + step * now_.v) +
-                                                           (0.5 / weights_.beta - 1.0) * now_.a) -
-                                  weights_.mass * now_.a;
-  const Eigen::VectorXd fixed_part =
-      (weights_.force / (1.0 - weights_.force)) * (now_.force - now_.reaction) -
-      forces_.mass().times(carried) / (1.0 - weights_.force);
-  const double inertia = (1.0 - weights_.mass) * per_change / (1.0 - weights_.force);
-  const double weight = problem_.gravity / (1.0 - weights_.force);
-  EquilibriumTask task;
-  task.linearise = [this, fixed_part = Eigen::VectorXd(fixed_part + weight * forces_.axial_mass()),
-                    inertia](const Eigen::VectorXd& u, Eigen::VectorXd& residual,
-                             SystemMatrix& matrix) {
-    const auto outcome = forces_.linearise(u, inertia, residual, matrix);
-    if (adhesion_) {
-      adhesion_->add_forces(u, residual);
-      adhesion_->add_derivative(u, matrix);
-    }
-    residual += fixed_part + inertia * forces_.mass().times(u);
-    return outcome;
-  };
-  // The mean force of a contact, as a yardstick while there is none yet.
-  task.force_scale =
-      std::max(now_.force.norm(), 1e-2 * body_.mass * problem_.impact.speed / expected_time_);
-  task.rounding = forces_.rounding();
-  return task;
-}
-
-/// Where Newton's method begins. A body that hardly changes its volume begins where it is: any
-/// motion ahead misses the volume by what its stiffness makes a pressure of.
-Eigen::VectorXd ImplicitImpact::first_guess(double step) const {
-  if (nearly_incompressible()) return now_.u;
-  Eigen::VectorXd u = now_.u + step * now_.v + (0.5 * step * step) * now_.a;
-  for (const int unknown : massless_) u[unknown] = now_.u[unknown] + last_change_[unknown];
-  return u;
-}
-
-/// One step, in halves where it does not converge.
-bool ImplicitImpact::advance(double step, int cuts) {
-  forces_.law().set_step(step);
-  const ActiveSet held_before = held_;
-  MotionState next{.u = first_guess(step)};
-  const auto found = search_.solve(task_of(step), next.u, held_, next.reaction);
-  if (found.converged) {
-    next.a = (next.u - now_.u - step * now_.v) / (weights_.beta * step * step) -
-             (0.5 / weights_.beta - 1.0) * now_.a;
-    next.v = now_.v + step * ((1.0 - weights_.gamma) * now_.a + weights_.gamma * next.a);
-    for (const int unknown : massless_) {
-      next.a[unknown] = 0.0;
-      next.v[unknown] = (next.u[unknown] - now_.u[unknown]) / step;
-    }
-    next.time = now_.time + step;
-    accept(step, std::move(next));
-    return true;
-  }
-  held_ = held_before;
-  failure_ = found.failure;
-  if (cuts == 0) return false;
-  return advance(0.5 * step, cuts - 1) && advance(0.5 * step, cuts - 1);
-}
-
-/// The end of a step, before the branches move there; the plate's push less its pull.
-void ImplicitImpact::show_to_fields(double step, const MotionState& next) {
-  fields_->see(next.u);
-  Eigen::VectorXd push = next.reaction;
-  if (adhesion_) {
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(push.size());
-    adhesion_->add_forces(next.u, pull);
-    push -= pull;
-  }
-  fields_->press(push, {.step = step, .time = next.time});
-}
-
-void ImplicitImpact::accept(double step, MotionState next) {
-  forces_.forces(next.u, next.force);
-  if (adhesion_) adhesion_->add_forces(next.u, next.force);
-  if (fields_ && !approaching_) show_to_fields(step, next);
-  forces_.accept(next.u);
-  const Eigen::VectorXd change = next.u - now_.u;
-  constraint_work_ += 0.5 * change.dot(now_.reaction + next.reaction);
-  const double force = next.reaction.sum();
-  const double pull = adhesion_ ? adhesion_->pull(next.u) : 0.0;
-  const double impulse = 0.5 * step * (separation_.last_force() + force - pull_ - pull);
-  if (!approaching_) recorder_.add_impulse(impulse, now_.time, next.time);
-  if (!approaching_) separation_.add(force, {.from = now_.time, .to = next.time});
-  pull_ = pull;
-  contact_radius_ = force > 0.0 ? held_.contact_radius(next.u) : 0.0;
-  contact_radius_peak_ = std::max(contact_radius_peak_, contact_radius_);
-  last_change_ = change;
-  smallest_step_ = std::min(smallest_step_, step);
-  now_ = std::move(next);
-  ++steps_;
-  if (fields_ && !approaching_) fields_->show(now_.time, now_.u, now_.v);
-}
-
 void ImplicitImpact::fill(EnergyBalance& balance) const {
   const double kinetic = 0.5 * now_.v.dot(forces_.mass().times(now_.v));
   const double speed = forces_.axial_mass().dot(now_.v) / body_.mass;
@@ -250,6 +94,12 @@ void ImplicitImpact::fill(EnergyBalance& balance) const {
   balance.held = branches.held;
   balance.dissipated = branches.taken - branches.held;
   balance.contact_constraint = -constraint_work_;
+  balance.friction = -friction_work_;
+  if (plate_) {
+    balance.plate_kinetic = plate_->kinetic();
+    balance.plate_spring = plate_->spring();
+    balance.plate_damper = plate_->damper();
+  }
   balance.gravity = problem_.gravity * forces_.axial_mass().dot(now_.u);
 }
 
@@ -259,7 +109,7 @@ void ImplicitImpact::sample() {
   recorder_.add_sample({.deflection = -forces_.axial_mass().dot(now_.u) / body_.mass,
                         .pole_deflection = -now_.u[2 * pole_ + 1],
                         .contact_radius = contact_radius_,
-                        .plate_displacement = 0.0},
+                        .plate_displacement = held_.plate()},
                        energies_);
 }
 
@@ -269,8 +119,11 @@ bool ImplicitImpact::contact_is_over() const {
   const double amplitude = residual_vibration_amplitude(
       energies_, forces_.law().constants(),
       {.mass = body_.mass, .density = body_.density, .radius = problem_.sphere.radius()});
-  return forces_.axial_mass().dot(now_.v) > 0.0 &&
-         held_.gap(now_.u) > amplitude + traction_.reach();
+  const double speed = forces_.axial_mass().dot(now_.v) / body_.mass;
+  if (plate_)
+    return is_out_of_reach(plate_->left_alone(), held_.gap(now_.u) - held_.plate(),
+                           {.speed = speed, .vibration = amplitude, .horizon = end_time_});
+  return speed > 0.0 && held_.gap(now_.u) > amplitude + traction_.reach();
 }
 
 FemResult ImplicitImpact::run(const RunControl& control) {
@@ -325,8 +178,6 @@ void ImplicitImpact::conclude(FemResult& result) const {
                    .energies = energies_},
                   result);
 }
-
-}  // namespace
 
 FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem,
                               const RunControl& control) {

@@ -45,7 +45,8 @@ class StaticCompression {
   std::vector<int> middle_;  ///< u_z of the middle plane
   Eigen::VectorXd u_, slope_;
   PathPoint now_;
-  double force_ = 0.0, work_ = 0.0;
+  Eigen::VectorXd reaction_;
+  double force_ = 0.0, work_ = 0.0, friction_ = 0.0;
   long iterations_ = 0;
   CompressionCurve curve_;
   std::string failure_;
@@ -57,7 +58,7 @@ StaticCompression::StaticCompression(const Mesh& mesh, const CompressionProblem&
       body_(quadratic_body(mesh, {.radius = problem.sphere.radius(), .mass = problem.sphere.mass})),
       forces_(body_, problem.material, ContactInertia::kept),
       search_(body_, forces_.mass()),
-      held_(body_) {
+      held_(body_, problem.compression.friction) {
   const double radius = problem.sphere.radius();
   const bool half = std::abs(body_.height / radius - 1.0) < 1e-6;
   if (half != (plan_.platens == 2))
@@ -66,6 +67,7 @@ StaticCompression::StaticCompression(const Mesh& mesh, const CompressionProblem&
     for (int node = 0; node < body_.node_count(); ++node)
       if (body_.position[node][1] > (1.0 - 1e-6) * radius) middle_.push_back(2 * node + 1);
   u_.setZero(forces_.size());
+  reaction_.setZero(forces_.size());
   // The first guess of all: the body as it is, moved onto the plate.
   slope_.setZero(forces_.size());
   for (int node = 0; node < body_.node_count(); ++node) slope_[2 * node + 1] = -share();
@@ -110,6 +112,7 @@ StaticCompression::Advance StaticCompression::advance(const PathPoint& to, int c
   forces_.law().set_step(
       plan_.path == CompressionPath::slow ? std::numeric_limits<double>::infinity() : step);
   const ActiveSet held_before = held_;
+  held_.begin_step(u_);
   Eigen::VectorXd u = u_ + (to.travel - now_.travel) * slope_;
   Eigen::VectorXd reaction;
   const auto found = search_.solve(task_of(to), u, held_, reaction);
@@ -130,8 +133,11 @@ StaticCompression::Advance StaticCompression::advance(const PathPoint& to, int c
 void StaticCompression::accept(const PathPoint& to, Eigen::VectorXd u,
                                const Eigen::VectorXd& reaction) {
   forces_.accept(u);
-  double force = 0.0;
-  held_.each_held(u, [&](int unknown, double) { force += reaction[unknown]; });
+  const double force = held_.push(reaction);
+  for (const ContactPlace& place : body_.contact)
+    friction_ -= 0.5 * (reaction_[2 * place.node] + reaction[2 * place.node]) *
+                 (u[2 * place.node] - u_[2 * place.node]);
+  reaction_ = reaction;
   work_ += 0.5 * (force_ + force) * (to.travel - now_.travel);
   const double change = to.travel - now_.travel;
   if (std::abs(change) > 1e-9 * plan_.deflection) slope_ = (u - u_) / change;
@@ -147,6 +153,7 @@ void StaticCompression::record() {
   curve_.contact_radius.push_back(force_ > 0.0 ? held_.contact_radius(u_) : 0.0);
   curve_.stored.push_back(forces_.stored_energy(u_) / share());
   curve_.work.push_back(work_);
+  curve_.friction.push_back(friction_ / share());
 }
 
 CompressionResult StaticCompression::run(const RunControl& control) {

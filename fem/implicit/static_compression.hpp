@@ -11,7 +11,7 @@ namespace rebound::fem {
 ///   f(u) = λ            between two platens: half of the sphere, its middle plane moved by x/2
 ///   f(u) = λ − F M 1/m  on one plate: a uniform body force F holds it, Σ λ = F,
 ///                       x the travel of the centre of mass
-///   z ≥ 0, λ ≥ 0, z λ = 0 at every contact node
+///   z ≥ 0, λ ≥ 0, z λ = 0 at every contact node; Coulomb friction as ActiveSet has it
 ///
 ///   f internal force, λ force of the plate [N], M mass [kg], x travel [m]
 ///

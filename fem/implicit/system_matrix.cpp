@@ -23,7 +23,7 @@ Eigen::VectorXd copied(const Vector& v) {
   return Eigen::Map<const Eigen::VectorXd>(v.begin(), v.size());
 }
 
-/// What stands for the axial velocity of contact nodes in the kinetic energy.
+/// What stands for the velocity of contact nodes in the kinetic energy.
 Constraints inertia_of(const QuadraticBody& body, ContactInertia inertia) {
   Constraints constraints;
   std::set<int> touching;
@@ -33,9 +33,12 @@ Constraints inertia_of(const QuadraticBody& body, ContactInertia inertia) {
     if (touching.contains(behind[0]) || touching.contains(behind[1]))
       throw Error(ExitCode::bad_input, "mesh refused: the body behind the contact is one cell thin",
                   {.key = "model.mesh"});
-    constraints.add_line(2 * node + 1);
-    constraints.add_entry(2 * node + 1, 2 * behind[0] + 1, 2.0);
-    constraints.add_entry(2 * node + 1, 2 * behind[1] + 1, -1.0);
+    for (const int component : {0, 1}) {
+      if (component == 0 && inertia != ContactInertia::removed_wholly) continue;
+      constraints.add_line(2 * node + component);
+      constraints.add_entry(2 * node + component, 2 * behind[0] + component, 2.0);
+      constraints.add_entry(2 * node + component, 2 * behind[1] + component, -1.0);
+    }
   }
   constraints.close();
   return constraints;
@@ -105,6 +108,12 @@ void SystemMatrix::add(std::span<const int> unknowns, std::span<const double> bl
   const auto count = unknowns.size();
   none.distribute_local_to_global(dealii::FullMatrix<double>(count, count, block.data()),
                                   {unknowns.begin(), unknowns.end()}, parts_->matrix);
+}
+
+void SystemMatrix::add_row(int to, double factor, int from) {
+  auto& matrix = parts_->matrix;
+  for (auto entry = matrix.begin(from); entry != matrix.end(from); ++entry)
+    matrix.add(to, entry->column(), factor * entry->value());
 }
 
 Eigen::VectorXd SystemMatrix::times(const Eigen::VectorXd& v) const {

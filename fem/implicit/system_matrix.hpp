@@ -14,15 +14,16 @@ namespace rebound::fem {
 /// Inertia of the nodes next to the plate.
 enum class ContactInertia {
   kept,
-  removed  ///< contact nodes move in z without mass of their own; see SystemMatrix
+  removed,        ///< contact nodes move in z without mass of their own; see SystemMatrix
+  removed_wholly  ///< in r too, as nodes do that stick to the plate and let go
 };
 
 /// A symmetric matrix on the unknowns (u_r, u_z) of node after node, held by deal.II.
 ///
 ///   kinetic energy ½ vᵀ M v,   M_ij = ∫ ρ N_i N_j dV
 ///
-/// With ContactInertia::removed the axial velocity of a contact node that M
-/// sees is the linear extension of the two nodes behind it, v = 2 v₁ − v₂, a
+/// With ContactInertia::removed the axial velocity (with removed_wholly the radial one as well) of
+/// a contact node that M sees is the linear extension of the two nodes behind it, v = 2 v₁ − v₂, a
 /// constraint under which M is assembled. The mass stays what it is, to the last
 /// digit, and every linear velocity field keeps its kinetic energy; but a contact
 /// node has no inertia of its own, so that it meets and leaves the plate without a blow.
@@ -40,6 +41,8 @@ class SystemMatrix {
   void set(double factor, const SystemMatrix& other);
   /// Adds a symmetric block, row after row.
   void add(std::span<const int> unknowns, std::span<const double> block);
+  /// Adds factor · row `from` to row `to`: both are unknowns of one node.
+  void add_row(int to, double factor, int from);
 
   Eigen::VectorXd times(const Eigen::VectorXd& v) const;
   std::vector<std::tuple<int, int, double>> entries() const;  ///< row, column, value

@@ -81,9 +81,8 @@ void check_implicit(const FemProblem& problem) {
                 std::string("the implicit scheme has no ") + what + "; take scheme = \"explicit\"",
                 {.key = key, .value = number_text(value)});
   };
-  const Plate& plate = problem.plate;
-  if (plate.moves()) refuse("model.plate.stiffness", plate.stiffness, "plate that moves");
-  if (plate.friction != 0.0) refuse("model.plate.friction", plate.friction, "friction");
+  if (problem.plate.moves() && problem.adhesion.acts())
+    refuse("model.adhesion.work", problem.adhesion.work, "adhesion to a plate that moves");
   check_convolution_alone(problem.material, "model.scheme");
 }
 

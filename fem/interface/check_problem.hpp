@@ -28,6 +28,10 @@ namespace fem {
 /// the yardstick of default output interval and end time.
 double expected_contact_time(const FemProblem& problem, const Moduli& moduli);
 
+/// Averaging windows of the peak force in that time: 20 µs for a ball of 66.2 mm, 89.6 g,
+/// 10 MPa, ν = 0.4 at 15 m/s.
+inline constexpr double windows_per_contact = 93.0;
+
 /// Largest contact radius of the same impact [m]: what a mesh has to resolve.
 ///
 ///   a = √(R δ),   δ^(5/2) = (15/16) m v²/(E* √R)

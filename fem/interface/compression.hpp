@@ -20,7 +20,7 @@ constexpr auto names_of(CompressionPath) {
                                       {"half-sine", CompressionPath::half_sine}});
 }
 
-/// A sphere pressed by rigid smooth plates, without inertia.
+/// A sphere pressed by rigid plates, without inertia.
 struct Compression {
   int platens = 2;  ///< 1: on one plate, held by a uniform body force; 2: between two
   double deflection =
@@ -28,12 +28,14 @@ struct Compression {
   int steps = 100;  ///< over the path
   CompressionPath path = CompressionPath::slow;
   double duration = 0.0;  ///< T of triangle or half sine [s]
+  double friction = 0.0;  ///< Coulomb coefficient of the plates [-]
 
   static constexpr auto limits() {
     return std::tuple{Limit{&Compression::platens, "platens", "", from_to(1.0, 2.0)},
                       Limit{&Compression::deflection, "deflection", "mm", above(0.0)},
                       Limit{&Compression::steps, "steps", "", from_to(1.0, 100000.0)},
-                      Limit{&Compression::duration, "duration", "ms", above(0.0), 0.0}};
+                      Limit{&Compression::duration, "duration", "ms", above(0.0), 0.0},
+                      Limit{&Compression::friction, "friction", "", from_to(0.0, 5.0), 0.0}};
   }
   friend bool operator==(const Compression&, const Compression&) = default;
 };
@@ -60,6 +62,7 @@ struct CompressionCurve {
   std::vector<double> contact_radius;  ///< outermost node on the plate [m]
   std::vector<double> stored;          ///< hyperelastic energy of the long-term state [J]
   std::vector<double> work;            ///< of the plates, trapezoidal [J]
+  std::vector<double> friction;        ///< lost by sliding on the plates so far [J]
 };
 
 /// Result of one compression.

@@ -58,7 +58,8 @@ TEST_F(ExportCommand, TheDeckAloneOnStandardOutput) {
 TEST_F(ExportCommand, HelpListsTheTargets) {
   const auto outcome = rebound({"export", "--help"});
   EXPECT_EQ(outcome.exit_code, 0);
-  for (const char* word : {"calculix", "abaqus", "febio", "--to", "youngs_modulus"})
+  for (const char* word :
+       {"calculix", "abaqus", "febio", "ls-dyna", "fenicsx", "--to", "youngs_modulus"})
     EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
 }
 
@@ -80,7 +81,8 @@ TEST_F(ExportCommand, LostPhysicsIsRefusedWithItsLine) {
 TEST_F(ExportCommand, BadUsage) {
   const auto unknown = rebound({"export", "elastic.toml", "--to", "nastran"});
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_NE(unknown.errors.find("calculix, abaqus, febio"), std::string::npos) << unknown.errors;
+  EXPECT_NE(unknown.errors.find("calculix, abaqus, febio, ls-dyna, fenicsx"), std::string::npos)
+      << unknown.errors;
   EXPECT_EQ(rebound({"export", "elastic.toml"}).exit_code, 2);
   EXPECT_EQ(rebound({"export", "elastic.toml", "--to", "febio", "--out", "ball.inp"}).exit_code, 2);
   EXPECT_FALSE(there("ball.inp"));

@@ -104,18 +104,18 @@ struct Members {
   std::array<FemResult, 5> speeds;  ///< on the middle mesh; the third at the speed asked for
 };
 
-ScalarError error_of(const ScalarOfResult& scalar, const Members& members, const FemResult& fine) {
+FamilyValues values_of(const ScalarOfResult& scalar, const Members& members,
+                       const FemResult& fine) {
   std::array<double, 5> by_speed;
   std::transform(members.speeds.begin(), members.speeds.end(), by_speed.begin(), scalar.value);
-  const double middle = by_speed[2];
-  ScalarError error{.key = scalar.key};
-  error.meshes = grid_convergence({scalar.value(members.small), middle, scalar.value(fine)});
-  error.step = 4.0 / 3.0 * std::abs(scalar.value(members.halved) - middle);
-  error.scatter = 2.0 * scatter_about_parabola(by_speed);
+  FamilyValues values{.coarse = scalar.value(members.small),
+                      .middle = by_speed[2],
+                      .fine = scalar.value(fine),
+                      .halved = scalar.value(members.halved),
+                      .scatter = scatter_about_parabola(by_speed)};
   if (std::string_view(scalar.key) == "peak_force_N")
-    error.scatter = std::hypot(error.scatter, ripple_at_peak(fine, members.speeds[2]));
-  error.uncertainty = std::hypot(error.meshes.uncertainty, error.step, error.scatter);
-  return error;
+    values.ripple = ripple_at_peak(fine, members.speeds[2]);
+  return values;
 }
 
 /// Vertices of the plate's side of `mesh` within the contact radius.
@@ -214,8 +214,10 @@ ReferenceImpact run_reference(const FemTier& tier, const FemProblem& problem, co
   if (two_forms)
     reference.model_form = model_form_of(results[other_form], members.speeds[2],
                                          runs[other_form].problem.material.relaxation);
-  for (const ScalarOfResult& scalar : scalars_with_error())
-    reference.errors.push_back(error_of(scalar, members, reference.result));
+  for (const ScalarOfResult& scalar : scalars_with_error()) {
+    reference.values.push_back(values_of(scalar, members, reference.result));
+    reference.errors.push_back(scalar_error(scalar.key, reference.values.back()));
+  }
   add_band(reference.result.trace, members.speeds[2].trace, reference.result.scalars.contact_time);
   return reference;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/accuracy/numerical_error/grid_convergence.hpp"
+#include "comparisons/accuracy/numerical_error/scalar_error.hpp"
 #include "fem/interface/modules.hpp"
 
 namespace rebound {
@@ -16,15 +16,6 @@ struct ScalarOfResult {
   double (*value)(const FemResult&);
 };
 const std::vector<ScalarOfResult>& scalars_with_error();
-
-/// Error bar of one scalar.
-struct ScalarError {
-  const char* key;
-  double uncertainty = 0.0;  ///< meshes, step and scatter together
-  GridError meshes;
-  double step = 0.0;     ///< share of the time step
-  double scatter = 0.0;  ///< share of nodes that engage one by one
-};
 
 /// What one run of the family took.
 struct FamilyMember {
@@ -48,7 +39,8 @@ struct ModelForm {
 /// force_uncertainty_N and deflection_uncertainty_m.
 struct ReferenceImpact {
   FemResult result;
-  std::vector<ScalarError> errors;  ///< in the order of scalars_with_error()
+  std::vector<ScalarError> errors;   ///< in the order of scalars_with_error()
+  std::vector<FamilyValues> values;  ///< what the bars are made of, in that order
   std::vector<FamilyMember> family;
   /// Empty: no branches, a scheme or a branch that has one form alone, or that form did not run
   /// to the end.

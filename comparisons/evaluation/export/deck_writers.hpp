@@ -17,4 +17,11 @@ DeckBody abaqus_deck(const ImpactToExport& impact);
 /// FEBio 4: a wedge of bricks (hex20) on a rigid brick, sliding-elastic contact, implicit dynamics.
 DeckBody febio_deck(const ImpactToExport& impact);
 
+/// LS-DYNA: a quarter in bricks of eight nodes (formulation 2) on a planar rigid wall.
+DeckBody lsdyna_deck(const ImpactToExport& impact);
+
+/// FEniCSx 0.5: a Python script that runs the impact, axisymmetric, nine nodes a cell, with a
+/// volume ratio of the cell where the FE tier has one, penalty contact, Newmark's method.
+DeckBody fenicsx_deck(const ImpactToExport& impact);
+
 }  // namespace rebound

@@ -41,7 +41,7 @@ struct ExportTarget {
   DeckBody (*write)(const ImpactToExport& impact);
 };
 
-/// CalculiX, Abaqus, FEBio: one file each.
+/// CalculiX, Abaqus, FEBio, LS-DYNA, FEniCSx: one file each.
 const std::vector<ExportTarget>& export_targets();
 
 }  // namespace rebound

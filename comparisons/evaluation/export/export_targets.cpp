@@ -29,6 +29,20 @@ const std::vector<ExportTarget>& export_targets() {
        {CarriedPhysics::relaxation},
        {own_elements, penalty, not_run},
        febio_deck},
+      {"ls-dyna",
+       ".k",
+       "LS-DYNA",
+       "$",
+       {CarriedPhysics::relaxation, CarriedPhysics::friction, CarriedPhysics::gravity},
+       {own_elements, not_run},
+       lsdyna_deck},
+      {"fenicsx",
+       ".py",
+       "FEniCSx 0.5",
+       "#",
+       {CarriedPhysics::relaxation, CarriedPhysics::gravity},
+       {own_elements, penalty},
+       fenicsx_deck},
   };
   return list;
 }

@@ -88,6 +88,7 @@ Json to_json(const CompressionResult& result) {
       {"stiffness_N_m1_5", slow ? Json(product / square) : Json(nullptr)},
       {"work_J", curve.work.back()},
       {"stored_J", curve.stored.back()},
+      {"friction_J", curve.friction.back()},
       {"contact_end_s", left ? Json(curve.time.back()) : Json(nullptr)},
       {"cells", result.cells},
       {"vertices", result.vertices},

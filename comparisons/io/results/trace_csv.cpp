@@ -60,11 +60,15 @@ std::string trace_csv(const Trace& trace, const std::vector<EnergyBalance>& ener
 std::string curve_csv(const CompressionCurve& curve) {
   const bool timed = !curve.time.empty();
   std::string text = timed ? "time_s," : "";
-  text += "deflection_m,force_N,contact_radius_m,stored_J,work_J\n";
+  const bool rubs = std::any_of(curve.friction.begin(), curve.friction.end(),
+                                [](double lost) { return lost != 0.0; });
+  text += "deflection_m,force_N,contact_radius_m,stored_J,work_J";
+  text += rubs ? ",friction_J\n" : "\n";
   for (std::size_t i = 0; i < curve.force.size(); ++i) {
     if (timed) text += fmt::format("{:.17g},", curve.time[i]);
-    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.deflection[i],
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", curve.deflection[i],
                         curve.force[i], curve.contact_radius[i], curve.stored[i], curve.work[i]);
+    text += rubs ? fmt::format(",{:.17g}\n", curve.friction[i]) : "\n";
   }
   return text;
 }

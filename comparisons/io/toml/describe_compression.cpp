@@ -32,6 +32,9 @@ void describe(Visitor& visit, Compression& compression) {
   visit.number<&Compression::duration>(
       compression, {.sentence = "Time of the whole path; of triangle and half-sine alone.",
                     .presence = Presence::optional});
+  visit.number<&Compression::friction>(compression,
+                                       {.sentence = "Coulomb coefficient of the plates; 0: smooth.",
+                                        .presence = Presence::optional});
 }
 
 void describe_model(Visitor& visit, CompressionProblem& problem) {
@@ -56,7 +59,7 @@ void describe_model(Visitor& visit, CompressionProblem& problem) {
 
 void describe(Visitor& visit, CompressionProblem& problem) {
   describe_schema(visit);
-  visit.visit_table({.name = "compression", .sentence = "Rigid smooth plates, without inertia."},
+  visit.visit_table({.name = "compression", .sentence = "Rigid plates, without inertia."},
                     [&](Visitor& inner) { describe(inner, problem.compression); });
   visit.table({.name = "sphere", .sentence = "The ball."}, problem.sphere);
   visit.visit_table({.name = "model", .sentence = "The model of the ball."},

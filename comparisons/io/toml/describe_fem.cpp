@@ -44,7 +44,7 @@ void describe_fem_model(Visitor& visit, FemProblem& problem) {
       {.name = "scheme",
        .sentence = "Explicit central differences on bilinear cells, or implicit generalised-alpha "
                    "on nine-node cells with a contact of its own: the independent check, a hundred "
-                   "times slower; plate rigid and smooth.",
+                   "times slower.",
        .presence = Presence::optional},
       problem.scheme);
   visit.text(

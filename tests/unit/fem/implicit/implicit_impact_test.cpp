@@ -100,8 +100,12 @@ TEST(ImplicitImpactTest, RefusesWhatItDoesNotHave) {
     EXPECT_EQ(error.code(), ExitCode::bad_input);
     return error.location().key;
   };
-  EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.stiffness = 1e6; }), "model.plate.stiffness");
-  EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.friction = 0.3; }), "model.plate.friction");
+  EXPECT_EQ(key_refused([](FemProblem& p) {
+              p.plate.stiffness = 1e6;
+              p.adhesion.work = 1.0;
+            }),
+            "model.adhesion.work");
+  EXPECT_EQ(key_refused([](FemProblem& p) { p.plate.friction = 5.1; }), "model.plate.friction");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.material.retardation_time = 1e-6; }), "model.scheme");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.material.layers = {{0.8, 2.0}}; }), "model.scheme");
   EXPECT_EQ(key_refused([](FemProblem& p) { p.impact.speed = -1.0; }), "impact.speed");

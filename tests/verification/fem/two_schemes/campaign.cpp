@@ -19,8 +19,8 @@ constexpr const char* header =
 
 }  // namespace
 
-bool SchemePair::agrees() const {
-  return std::abs(explicit_value - implicit_value) <= explicit_bar + implicit_bar;
+double SchemePair::distance() const {
+  return std::abs(explicit_value - implicit_value) / std::hypot(explicit_bar, implicit_bar);
 }
 
 std::vector<SchemePair> run_both(const std::filesystem::path& folder, const std::string& core,

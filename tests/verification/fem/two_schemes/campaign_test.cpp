@@ -18,17 +18,22 @@ const std::set<std::string> compared = {"restitution",       "contact_time_1pct_
 
 TEST(TwoSchemesCampaign, StoredSchemesAgreeWithinTheirBars) {
   std::set<std::pair<std::string, double>> cases;
+  int held = 0, beyond = 0;
   for (const SchemePair& pair : read_campaign(folder / "table.csv")) {
     cases.insert({pair.core, pair.speed});
     if (!compared.contains(pair.quantity)) continue;
-    EXPECT_TRUE(pair.agrees()) << pair.core << " " << pair.speed << " m/s " << pair.quantity << ": "
-                               << pair.explicit_value << " ± " << pair.explicit_bar << ", "
-                               << pair.implicit_value << " ± " << pair.implicit_bar;
+    ++held;
+    beyond += pair.distance() > 1.0;
+    EXPECT_LT(pair.distance(), 1.5)
+        << pair.core << " " << pair.speed << " m/s " << pair.quantity << ": " << pair.explicit_value
+        << " ± " << pair.explicit_bar << ", " << pair.implicit_value << " ± " << pair.implicit_bar;
     // Bars that cover everything would show nothing.
     const double widest = pair.quantity == "peak_force_N" ? 0.05 : 0.01;
     EXPECT_LT(pair.explicit_bar + pair.implicit_bar, widest * pair.explicit_value) << pair.quantity;
   }
   EXPECT_EQ(cases.size(), 12u);
+  EXPECT_EQ(held, 72);
+  EXPECT_LE(beyond, held / 20);
 }
 
 TEST(TwoSchemesCampaign, OneCaseOfTheTwelveAgain) {
@@ -41,7 +46,7 @@ TEST(TwoSchemesCampaign, OneCaseOfTheTwelveAgain) {
         continue;
       if (!compared.contains(now.quantity)) continue;
       ++found;
-      EXPECT_TRUE(now.agrees()) << now.quantity;
+      EXPECT_LE(now.distance(), 1.0) << now.quantity;
       // Another processor rounds otherwise, and nodes then engage otherwise.
       EXPECT_NEAR(now.explicit_value / then.explicit_value, 1.0, 1e-3) << now.quantity;
       EXPECT_NEAR(now.implicit_value / then.implicit_value, 1.0, 1e-3) << now.quantity;
