@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "comparisons/accuracy/foams/foam_rows.hpp"
+#include "comparisons/accuracy/verification/coverage_case.hpp"
 #include "comparisons/accuracy/verification/element_cases.hpp"
 #include "comparisons/accuracy/verification/expected_rows.hpp"
 #include "comparisons/accuracy/verification/fem_cases.hpp"
@@ -57,6 +58,7 @@ std::vector<SuitePart> fem_parts(const FemTier& tier, const GmshModule& gmsh,
       {"Both schemes", 3.0, [&](Control c) { return verify_schemes(tier, c); }},
       {"Free plate", 0.5, [&](Control c) { return verify_free_plate(tier, c); }},
       {"Every channel", 0.5, [&](Control c) { return verify_all_channels(tier, c); }},
+      {"Coverage of error bars", 0.1, [](Control) { return verify_coverage(coverage_file()); }},
       {"Error bars", 1.0, [&](Control c) { return verify_error_bars(tier, c); }},
       {"Unstructured cells", 1.5, [&](Control c) { return verify_unstructured(tier, gmsh, c); }},
       {"Closed cycles", 1.0, [&](Control) { return verify_dissipation(checks); }},

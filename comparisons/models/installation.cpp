@@ -71,6 +71,12 @@ std::filesystem::path seeded_faults_folder() {
   return shared_folder("mutations", REBOUND_SOURCE_FOLDER "/tests/mutations");
 }
 
+std::filesystem::path coverage_file() {
+  return shared_folder("error_bars",
+                       REBOUND_SOURCE_FOLDER "/comparisons/accuracy/numerical_error/error_bars") /
+         "coverage.csv";
+}
+
 std::filesystem::path source_folder() {
   std::error_code status;
   const std::filesystem::path folder = REBOUND_SOURCE_FOLDER;

@@ -22,6 +22,9 @@ std::filesystem::path data_folder();
 /// Seeded faults and their recorded outcomes, found as data_folder() is.
 std::filesystem::path seeded_faults_folder();
 
+/// The stored campaign of error bars, found as data_folder() is.
+std::filesystem::path coverage_file();
+
 /// The sources this library was built from; empty where they are no longer there.
 std::filesystem::path source_folder();
 

@@ -19,6 +19,7 @@ namespace rebound::fem {
 ///   ρ = 0.9 the share of the highest frequencies that a step keeps
 ///   M mass [kg], f internal force, λ force of the plate [N], g gravity [m/s²]
 ///
+/// Friction as ActiveSet has it, a plate that moves as PlateMotion.
 /// Contact nodes have no axial inertia of their own (see BodyForces), so λ has
 /// no spikes and no energy is lost in catching them. The step is a 200th of the
 /// Hertz contact time times `step_safety`/0.9; a step that does not converge is
@@ -28,8 +29,8 @@ namespace rebound::fem {
 ///        it is what `closures.energy` shows.
 /// Limit: elastic impact at low speed is Hertz with the finite-sphere
 ///        correction, time order 2 -> tests TwoSchemes, VerificationCaseA.
-/// Errors: Error(bad_input) as run_explicit_impact, and for a plate that moves or
-///        rubs, which this scheme does not have.
+/// Errors: Error(bad_input) as run_explicit_impact, and for adhesion to a plate that
+///        moves, viscous stress, Mullins softening, layers and multiplicative branches.
 /// Source: Chung & Hulbert 1993.
 FemResult run_implicit_impact(const Mesh& mesh, const FemProblem& problem,
                               const RunControl& control);

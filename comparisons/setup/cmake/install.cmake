@@ -17,6 +17,8 @@ install(DIRECTORY comparisons/studies/data comparisons/studies/experiments
 install(FILES comparisons/studies/sliotar.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound COMPONENT data)
 install(FILES tests/mutations/faults.txt tests/mutations/results.tsv
   DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/mutations COMPONENT data)
+install(FILES comparisons/accuracy/numerical_error/error_bars/coverage.csv
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/rebound/error_bars COMPONENT data)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT data)
 
 # rebound::lumped for laws and impacts; rebound::models for effects, the instrument and

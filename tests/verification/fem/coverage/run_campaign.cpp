@@ -1,7 +1,7 @@
 // Adds to a table of bars what it lacks: the families that `rebound fem --reference` runs, fine
 // families that are the truth, and nine-node families that hold the truth.
 //
-//   build/coverage_campaign comparisons/accuracy/numerical_error/coverage.csv
+//   build/coverage_campaign comparisons/accuracy/numerical_error/error_bars/coverage.csv
 #include <fmt/format.h>
 
 #include <algorithm>

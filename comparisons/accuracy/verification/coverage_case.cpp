@@ -1,0 +1,103 @@
+#include "comparisons/accuracy/verification/coverage_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "comparisons/accuracy/numerical_error/coverage.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr std::array quantities = {"restitution", "kinetic_energy_loss_share", "peak_deflection_m",
+                                   "peak_force_N", "contact_time_tail_s"};
+
+/// Share of the bars whose error over bar lies in each eighth of a decade.
+report::Series histogram(const std::vector<JudgedBar>& judged, const std::string& name) {
+  constexpr double lowest = -3.0, highest = 1.0;
+  constexpr int classes = 32;
+  report::Series series{.name = name, .x = {}, .y = {}};
+  std::array<double, classes> count{};
+  for (const JudgedBar& one : judged) {
+    const double place = (std::log10(one.error / one.bar) - lowest) / (highest - lowest);
+    count[static_cast<std::size_t>(std::clamp(place, 0.0, 1.0 - 1e-9) * classes)] += 1.0;
+  }
+  for (int i = 0; i < classes; ++i) {
+    series.x.push_back(std::pow(10.0, lowest + (highest - lowest) * (i + 0.5) / classes));
+    series.y.push_back(100.0 * count[i] / static_cast<double>(judged.size()));
+  }
+  return series;
+}
+
+report::Table table_of(const std::vector<CoverageRow>& rows) {
+  using Kind = report::TableColumn::Kind;
+  report::Table table{
+      .title = "Coverage by quantity",
+      .caption =
+          "Bars that cover, and the median of bar over error; errors against fine families "
+          "of the same cells, whose own error is the last column's share of the bar.",
+      .columns = {{"quantity"},
+                  {"bars", "1", Kind::number},
+                  {"cover", "%", Kind::number},
+                  {"median bar over error", "1", Kind::number},
+                  {"median error of the truth over bar", "1", Kind::number}},
+      .rows = {}};
+  for (const char* quantity : quantities) {
+    const auto judged = judge_bars(rows, quantity);
+    const Coverage found = coverage_of(judged);
+    std::vector<double> shares;
+    for (const JudgedBar& one : judged) shares.push_back(one.truth_error / one.bar);
+    std::sort(shares.begin(), shares.end());
+    table.rows.push_back(
+        {report::text_cell(quantity), report::number_cell(found.bars, 4),
+         report::number_cell(100.0 * found.share, 3), report::number_cell(found.median_ratio, 3),
+         report::number_cell(shares.empty() ? 0.0 : shares[shares.size() / 2], 2)});
+  }
+  return table;
+}
+
+}  // namespace
+
+VerificationPart verify_coverage(const std::filesystem::path& table) {
+  const std::vector<CoverageRow> rows = read_coverage(table);
+  const auto judged = judge_bars(rows);
+  const Coverage all = coverage_of(judged);
+  std::set<std::pair<int, int>> cases;
+  for (const JudgedBar& one : judged) cases.insert({one.row->number, one.row->cells});
+  const std::string source = fmt::format(
+      "stored campaign of {} families, five scalars each, "
+      "not run now",
+      cases.size());
+  VerificationPart part;
+  part.rows = {{.case_id = "error bars",
+                .quantity = "share of the bars that cover the truth",
+                .unit = "",
+                .target = 0.95,
+                .result = all.share,
+                .tolerance = 0.03,
+                .scale = ToleranceScale::absolute,
+                .source = source},
+               {.case_id = "error bars",
+                .quantity = "median of bar over error",
+                .unit = "",
+                .target = 4.0,
+                .result = all.median_ratio,
+                .tolerance = 0.0,
+                .scale = ToleranceScale::upper_bound,
+                .source = source}};
+  report::Figure figure{
+      .title = "How far the truth is, in bars",
+      .caption = "Bars of every family of the stored campaign; right of 1 they do not cover.",
+      .x = {"error over bar", "1", report::Axis::Spacing::logarithmic},
+      .y = {"share of the bars", "%"},
+      .series = {}};
+  figure.series.push_back(histogram(judged, "all quantities"));
+  part.figures.push_back(std::move(figure));
+  part.tables.push_back(table_of(rows));
+  return part;
+}
+
+}  // namespace rebound
