@@ -44,14 +44,15 @@ Observations two_speeds_of(const Observations& all) {
   return subset(all, {true, false, true});
 }
 
-// A gain of 6 % at the middle speed, which the fit has not seen: it agrees with the two others.
+// A gain of 2.2 % at the middle speed, which the fit has not seen: it agrees with the two others, and
+// the χ² of all three is within the noise.
 TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
   int gaps = 0, false_gaps = 0, in_two = 0;
   constexpr int seeds = 5;
   for (int seed = 1; seed <= seeds; ++seed) {
     for (const bool hidden : {false, true}) {
       const std::vector<EffectChoice> effects =
-          hidden ? std::vector<EffectChoice>{{"shot-gain", 0.06, {{"shot", 2.0}}}}
+          hidden ? std::vector<EffectChoice>{{"shot-gain", 0.022, {{"shot", 2.0}}}}
                  : std::vector<EffectChoice>{};
       const SynthesisFile file = testing::experiment_with(effects, seed);
       const Observations all = observe({synthesize(file, simulator_of(file, {})).dataset});
