@@ -44,8 +44,8 @@ Observations two_speeds_of(const Observations& all) {
   return subset(all, {true, false, true});
 }
 
-// A gain of 2.2 % at the middle speed, which the fit has not seen: it agrees with the two others, and
-// the χ² of all three is within the noise.
+// A gain of 2.2 % at the middle speed, which the fit has not seen: it agrees with the two others,
+// and the χ² of all three is within the noise.
 TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
   int gaps = 0, false_gaps = 0, in_two = 0;
   constexpr int seeds = 5;
