@@ -14,7 +14,7 @@ constexpr double slid = 1e-6;     ///< and what moves within a step, below this 
 }  // namespace
 
 EquilibriumSearch::EquilibriumSearch(const QuadraticBody& body, const SystemMatrix& like)
-    : axis_nodes_(body.axis_nodes), reach_(body.height), matrix_(like), whole_(like) {}
+    : axis_nodes_(body.axis_nodes), reach_(body.height), matrix_(like) {}
 
 void EquilibriumSearch::fix(const EquilibriumTask& task, const Eigen::VectorXd& u,
                             const ActiveSet& held) {
@@ -41,7 +41,10 @@ double EquilibriumSearch::largest_miss() const {
 bool EquilibriumSearch::solve_change(const EquilibriumTask& task, const Eigen::VectorXd& u,
                                      ActiveSet& held, Result& result) {
   Eigen::VectorXd right = -residual_;
-  if (task.plate) whole_.set(1.0, matrix_);
+  if (task.plate && whole_)
+    whole_->set(1.0, matrix_);
+  else if (task.plate)
+    whole_.emplace(matrix_);
   if (!solver_.factorise(matrix_, fixed_, right)) return false;
   change_ = solver_.solve(right);
   if (task.load.size() > 0) {
@@ -59,9 +62,9 @@ void EquilibriumSearch::move_plate(const EquilibriumTask::PlateBalance& plate, A
                                    const Eigen::VectorXd& u) {
   Eigen::VectorXd on_plate = Eigen::VectorXd::Zero(u.size());
   held.each_held(u, [&](int unknown, double) { on_plate[unknown] = unknown % 2; });
-  const Eigen::VectorXd along = solver_.respond(whole_.times(on_plate)) - on_plate;
-  const double force = on_plate.dot(residual_ + whole_.times(change_));
-  const double slope = on_plate.dot(whole_.times(along));
+  const Eigen::VectorXd along = solver_.respond(whole_->times(on_plate)) - on_plate;
+  const double force = on_plate.dot(residual_ + whole_->times(change_));
+  const double slope = on_plate.dot(whole_->times(along));
   plate_change_ = (force - plate.stiffness * held.plate() - plate.load) / (plate.stiffness - slope);
   change_ += plate_change_ * along;
   held.move_plate(plate_change_);

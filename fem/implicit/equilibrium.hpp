@@ -72,7 +72,8 @@ class EquilibriumSearch {
 
   std::vector<int> axis_nodes_;
   double reach_;
-  SystemMatrix matrix_, whole_;  ///< condensed, and before
+  SystemMatrix matrix_;
+  std::optional<SystemMatrix> whole_;  ///< before it was condensed; where the plate moves
   ConstrainedSolver solver_;
   ConstrainedSolver::Given fixed_;  ///< changes that are known
   Eigen::VectorXd residual_, change_;

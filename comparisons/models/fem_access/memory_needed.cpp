@@ -15,13 +15,16 @@ namespace rebound {
 double memory_of_impact(const FemProblem& problem, int cells) {
   constexpr double fixed = 2.5e6, explicit_cell = 1700.0, branch = 220.0, largest_strain = 40.0;
   constexpr double implicit_fixed = 6e6, implicit_cell = 42e3;
+  constexpr double whole_matrix = 3000.0;  // kept beside its factors where the plate moves
   // What is seen of every point and one frame as text; the report's page and its frames.
   constexpr double observed_cell = 1100.0, observed_implicit_cell = 3000.0, page = 30e6;
   const bool observed = problem.controls.field_frames > 0;
   const double pages = observed ? page : 0.0;
   if (problem.scheme == FemScheme::implicit_steps)
     return implicit_fixed + pages +
-           (implicit_cell + (observed ? observed_implicit_cell : 0.0)) * cells;
+           (implicit_cell + (problem.plate.moves() ? whole_matrix : 0.0) +
+            (observed ? observed_implicit_cell : 0.0)) *
+               cells;
   const Material& material = problem.material;
   const double cell = explicit_cell + branch * static_cast<double>(material.branches.size()) +
                       (material.strain.remembers() ? largest_strain : 0.0) +
