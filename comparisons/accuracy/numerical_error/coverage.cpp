@@ -103,6 +103,7 @@ Coverage coverage_of(const std::vector<JudgedBar>& judged) {
   Coverage coverage{.bars = static_cast<int>(judged.size())};
   if (judged.empty()) return coverage;
   std::vector<double> ratios;
+  ratios.reserve(judged.size());
   for (const JudgedBar& one : judged) ratios.push_back(one.bar / one.error);
   coverage.share =
       static_cast<double>(std::count_if(judged.begin(), judged.end(),

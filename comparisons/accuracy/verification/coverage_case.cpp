@@ -49,6 +49,7 @@ report::Table table_of(const std::vector<CoverageRow>& rows) {
     const auto judged = judge_bars(rows, quantity);
     const Coverage found = coverage_of(judged);
     std::vector<double> shares;
+    shares.reserve(judged.size());
     for (const JudgedBar& one : judged) shares.push_back(one.truth_error / one.bar);
     std::sort(shares.begin(), shares.end());
     table.rows.push_back(
