@@ -350,10 +350,11 @@ INSTANTIATE_TEST_SUITE_P(
                      [](FemProblem& p) { p.controls.output_interval = 1e-12; }},
         TogetherCase{"Separation", "impact.separation",
                      [](FemProblem& p) { p.impact.separation = SeparationRule::zero_deflection; }},
-        TogetherCase{"ImplicitFriction", "model.plate.friction",
+        TogetherCase{"ImplicitAdhesionToAMovingPlate", "model.adhesion.work",
                      [](FemProblem& p) {
                        p.scheme = FemScheme::implicit_steps;
-                       p.plate.friction = 0.2;
+                       p.plate.stiffness = 5e7;
+                       p.adhesion.work = 1.0;
                      }},
         TogetherCase{"ImplicitLayers", "model.scheme",
                      [](FemProblem& p) {
