@@ -85,7 +85,7 @@ std::string text_cell(std::string text) {
 namespace {
 
 using SeenMember = std::function<void(std::size_t number, const std::vector<double>& factors,
-                                      MemberResult result)>;
+                                      const MemberResult& result)>;
 
 /// Shows every member that a store has; counts them in `table`.
 void each_member(const Campaign& campaign, const std::filesystem::path& store, CampaignTable& table,
@@ -107,7 +107,7 @@ void each_member(const Campaign& campaign, const std::filesystem::path& store, C
       if (!result) continue;
       ++table.found;
       if (!result->failure.empty()) ++table.failed;
-      seen(numbers[i], members[i]->values, std::move(*result));
+      seen(numbers[i], members[i]->values, *result);
     }
   }
 }
@@ -122,10 +122,11 @@ CampaignTable query_campaign(const Campaign& campaign, const std::filesystem::pa
   for (const CampaignFactor& factor : campaign.design().factors) columns.declare(factor.key);
   if (campaign.of_impacts())
     for (const char* name : member_scalars) columns.declare(name);
-  each_member(campaign, store, table,
-              [&](std::size_t number, const std::vector<double>& factors, MemberResult result) {
-                add_member(campaign, number, factors, result, columns, failures);
-              });
+  each_member(
+      campaign, store, table,
+      [&](std::size_t number, const std::vector<double>& factors, const MemberResult& result) {
+        add_member(campaign, number, factors, result, columns, failures);
+      });
   table.columns = columns.take();
   table.columns.push_back({.name = "failure", .texts = std::move(failures)});
   table.rows = table.found;
