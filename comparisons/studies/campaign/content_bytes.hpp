@@ -10,9 +10,8 @@ namespace rebound {
 /// key with its value, numbers bit by bit. What the key of a member's result is the digest of; a
 /// text would say the same and costs a tenth of a lumped impact.
 ///
-/// Limit: a changed number, text, flag or length of a list changes the bytes, and a value that
-/// moves
-///        from one key to another does, too -> test ContentBytesTest.EveryChangeIsSeen
+/// Limit: a changed number, text, flag or length of a list changes the bytes, and so does a value
+///        that moves from one key to another -> test ContentBytesTest.EveryChangeIsSeen
 class ContentBytes final : public Visitor {
  public:
   const std::string& bytes() const { return bytes_; }
