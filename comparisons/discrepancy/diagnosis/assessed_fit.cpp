@@ -47,6 +47,15 @@ void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, Asses
   curve.nearly_adequate = has_little_remaining(baseline, curve, most_remaining);
 }
 
+/// A formula that leaves a little is nearly what is missing: of the map a fifth above its
+/// threshold, of the χ² a twelfth of what it explains.
+void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& formula) {
+  constexpr double above_threshold = 1.2, most_remaining = 0.3;  // of the residuals
+  formula.nearly_adequate = formula.p_value > rules.smallest_adequate_p &&
+                            largest_z(formula.map) <= above_threshold * formula.map.threshold &&
+                            has_little_remaining(baseline, formula, most_remaining);
+}
+
 }  // namespace
 
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
@@ -104,7 +113,11 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
   look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
-  if (!candidate.adequate && has_curve(candidate.fit)) judge_curve(rules, baseline, candidate);
+  if (candidate.adequate) return;
+  if (has_curve(candidate.fit))
+    judge_curve(rules, baseline, candidate);
+  else
+    judge_formula(rules, baseline, candidate);
 }
 
 }  // namespace rebound

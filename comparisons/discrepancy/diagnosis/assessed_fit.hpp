@@ -38,7 +38,8 @@ struct AssessedFit {
   std::optional<double> unseen_chi_square;
   bool unseen_denies = false;  ///< a rival predicts that speed plainly better
   bool judged = false;         ///< refused by its χ² alone, or looked at closely
-  /// A free form whose χ² and map noise could make, while some effect would still bring a little.
+  /// Not adequate by itself: noise could make its χ² and nearly its map, while some effect would
+  /// still bring a little.
   bool nearly_adequate = false;
   bool adequate = false;  ///< nothing left that noise could not do
 
@@ -75,7 +76,7 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
 /// Of a free form a tenth of the baseline's residuals may be left, which is a hundredth of the χ²
 /// that it explains: a smooth curve through six points is no closer to what it stands for. It never
 /// carries a name. Where one more effect would bring up to a tenth of that χ², and nothing else is
-/// left, it is nearly adequate.
+/// left, it is nearly adequate; so is a formula, which then carries no name either.
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
                      const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
                      AssessedFit& candidate);

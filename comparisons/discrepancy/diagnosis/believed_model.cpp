@@ -111,7 +111,7 @@ std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball) {
                                     [&](const MeasuredImpact& one) { return one.ball == ball; });
   const MeasuredImpact& shot = of_ball == shots.end() ? shots.front() : *of_ball;
   if (fem) {
-    FemImpactFile file{.problem = fem->problem(), .effects = fit.effects};
+    FemImpactFile file{.problem = fem->problem(), .effects = effects_of_ball(fit.effects, ball)};
     file.problem.sphere = diagnosis.seen->balls[ball].sphere;
     file.problem.impact.speed = shot.impact.speed;
     file.problem.material = fit.model->material_at(fit.values, ball);
@@ -123,7 +123,7 @@ std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball) {
   file.problem.model = fit.model->believed_at(fit.values, ball);
   if (!file.problem.model.damping_formula.empty() && shot.restitution.value)
     file.problem.model.restitution = shot.restitution.value;
-  file.effects = fit.effects;
+  file.effects = effects_of_ball(fit.effects, ball);
   return write_toml(file);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "comparisons/discrepancy/diagnosis/effect_search.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
@@ -54,6 +55,13 @@ bool frees_formulas_of(const HypothesisFit& general, const HypothesisFit& specia
          std::includes(own.begin(), own.end(), formulas.begin(), formulas.end());
 }
 
+std::set<EffectFamily> families_beyond(const HypothesisFit& fit, std::size_t known) {
+  std::set<EffectFamily> families;
+  for (std::size_t k = known; k < fit.effects.size(); ++k)
+    families.insert(find_effect(fit.effects[k].name).card.family);
+  return families;
+}
+
 }  // namespace
 
 void judge_candidates(std::vector<AssessedFit>& tried, double reach,
@@ -81,6 +89,8 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
     const EffectNames own = names_of(tried[i].fit.effects);
     const bool needs_not_all = std::any_of(members.begin(), members.end(), [&](std::size_t j) {
       const EffectNames other = names_of(tried[j].fit.effects);
+      if (other == own && j != i)  // one of them has sizes of every ball
+        return tried[j].information_criterion() < tried[i].information_criterion();
       return (other.size() < own.size() &&
               std::includes(own.begin(), own.end(), other.begin(), other.end())) ||
              frees_formulas_of(tried[i].fit, tried[j].fit);
@@ -90,8 +100,19 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
   return minimal;
 }
 
-void prefer_nearly_adequate_curves(std::vector<AssessedFit>& tried, std::size_t known, double reach,
-                                   std::vector<std::size_t>& members) {
+const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
+                                        double smallest_p) {
+  const double best = best_of(tried).information;
+  const AssessedFit* leader = nullptr;
+  for (const AssessedFit& one : tried)
+    if (one.p_value > smallest_p && one.information_criterion() < best - reach &&
+        (!leader || one.information_criterion() < leader->information_criterion()))
+      leader = &one;
+  return leader;
+}
+
+void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                            std::vector<std::size_t>& members) {
   const double best = best_of(tried).information;
   bool preferred = false;
   for (AssessedFit& one : tried) {
@@ -101,6 +122,19 @@ void prefer_nearly_adequate_curves(std::vector<AssessedFit>& tried, std::size_t 
     one.adequate = preferred = true;
   }
   if (preferred) members = indistinguishable_models(tried, reach);
+}
+
+void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std::size_t known,
+                                     double reach, double smallest_p,
+                                     std::vector<std::size_t>& members) {
+  const AssessedFit* leader = leader_over_adequate(tried, reach, smallest_p);
+  if (!leader) return;
+  const auto of_leader = families_beyond(leader->fit, known);
+  std::erase_if(members, [&](std::size_t i) {
+    const auto own = families_beyond(tried[i].fit, known);
+    return std::none_of(own.begin(), own.end(),
+                        [&](EffectFamily family) { return of_leader.contains(family); });
+  });
 }
 
 void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,

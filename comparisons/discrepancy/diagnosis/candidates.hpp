@@ -14,16 +14,26 @@ void judge_candidates(std::vector<AssessedFit>& tried, double reach,
                       const std::function<void(AssessedFit&)>& judge);
 
 /// Adequate, within reach of the best adequate one by either criterion (χ² + k ln N, χ² + 2 k), and
-/// without a smaller adequate set inside or one with a formula in place of a free curve: indices
-/// into `tried`.
+/// without a smaller adequate set inside or one with a formula in place of a free curve. Sizes of
+/// every ball, or one that all share: whichever is better by χ² + k ln N. Indices into `tried`.
 std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
                                                   double reach);
 
-/// A single free form that is nearly adequate and beyond reach of all adequate sets, to the better:
-/// a set of three that fits worse explains the data no better. Where there are some, they are
-/// adequate, and the candidates.
-void prefer_nearly_adequate_curves(std::vector<AssessedFit>& tried, std::size_t known, double reach,
-                                   std::vector<std::size_t>& members);
+/// The best fit whose χ² noise could make, where it is beyond reach of every adequate one, to the
+/// better: something is left beside it, and what leaves nothing fits plainly worse. Null: none.
+const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
+                                        double smallest_p);
+
+/// A single effect that is nearly adequate and beyond reach of all adequate sets, to the better:
+/// what fits worse explains the data no better. Where there are some, they are adequate, and the
+/// candidates.
+void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                            std::vector<std::size_t>& members);
+
+/// Takes out of `members` what shares no family with the leader over them, where there is one.
+void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std::size_t known,
+                                     double reach, double smallest_p,
+                                     std::vector<std::size_t>& members);
 
 /// Takes out of `members`, indices into `tried`, what is beyond reach of the best of them once the
 /// unseen speed counts; the best by χ² + k ln N comes first.

@@ -20,7 +20,7 @@ Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json effect_json(const NamedEffect& named) {
+Json effect_json(const NamedEffect& named, const Diagnosis& d) {
   const EffectCard& card = find_effect(named.effect.name).card;
   Json parameters = Json::array();
   for (const auto& number : named.parameters)
@@ -30,7 +30,14 @@ Json effect_json(const NamedEffect& named) {
                               {"value", number.value},
                               {"unit", or_one(unit_name(parameter.dimension))},
                               {"interval", {number.low, number.high}}});
+  Json of_balls = Json::array();
+  for (std::size_t ball = 0; ball < named.size_of_balls.size(); ++ball)
+    of_balls.push_back(
+        {{"ball", d.seen->balls[ball].name},
+         {"size", named.size_of_balls[ball].value},
+         {"interval", {named.size_of_balls[ball].low, named.size_of_balls[ball].high}}});
   return {{"name", card.name},
+          {"size_of_balls", of_balls},
           {"size", named.size.value},
           {"unit", or_one(size_unit(card))},
           {"interval", {named.size.low, named.size.high}},
@@ -53,8 +60,8 @@ Json excluded_json(const ExcludedSize& excluded) {
           {"over", over}};
 }
 
-template <class Record>
-Json list_of(const std::vector<Record>& records, Json (*json_of)(const Record&)) {
+template <class Record, class JsonOf>
+Json list_of(const std::vector<Record>& records, const JsonOf& json_of) {
   Json list = Json::array();
   for (const Record& one : records) list.push_back(json_of(one));
   return list;
@@ -169,42 +176,43 @@ Json check_json(const DataCheck& check) {
 
 Json to_json(const Diagnosis& d) {
   const Json curves = list_of(d.curves, band_json);
-  return {{"schema", 1},
-          {"verdict", name_of(d.verdict)},
-          {"family", d.family == EffectFamily::none ? Json(nullptr) : Json(name_of(d.family))},
-          {"form", form_of(d)},
-          {"curve", curves.empty() ? Json(nullptr) : curves.front()},
-          {"curves", curves},
-          {"nearest_formulas", list_of(d.nearest, nearest_json)},
-          {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
-          {"missing_force", missing_force_json(d)},
-          {"contradictions", list_of(d.contradictions, check_json)},
-          {"checks", list_of(d.checks, check_json)},
-          {"effects", list_of(d.effects, effect_json)},
-          {"candidates", d.candidates},
-          {"bootstrap", bootstrap_json(d.bootstrap)},
-          {"tried", tried_json(d.selection.tried)},
-          {"excluded_above", list_of(d.excluded, excluded_json)},
-          {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
-          {"needed", d.needed},
-          {"warnings", d.warnings},
-          {"next_experiments", list_of(d.next, next_json)},
-          {"where", where_json(d)},
-          {"gap",
-           {{"before", number_or_null(d.gap.before)},
-            {"after", number_or_null(d.gap.after)},
-            {"held_out_before", number_or_null(d.gap.held_out_before)},
-            {"held_out_after", number_or_null(d.gap.held_out_after)},
-            {"held_out_noise", d.gap.held_out_noise}}},
-          {"gap_of_shots", gap_of_shots_json(d)},
-          {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
-          {"noise_from", d.seen ? d.seen->noise_from : ""},
-          {"extended_model", nullptr},
-          {"report", nullptr},
-          {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
-          {"believed_tier", d.numerical_uncertainty ? "fem" : "lumped"},
-          {"numerical_uncertainty", number_or_null(d.numerical_uncertainty)},
-          {"seed", d.seed}};
+  return {
+      {"schema", 1},
+      {"verdict", name_of(d.verdict)},
+      {"family", d.family == EffectFamily::none ? Json(nullptr) : Json(name_of(d.family))},
+      {"form", form_of(d)},
+      {"curve", curves.empty() ? Json(nullptr) : curves.front()},
+      {"curves", curves},
+      {"nearest_formulas", list_of(d.nearest, nearest_json)},
+      {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
+      {"missing_force", missing_force_json(d)},
+      {"contradictions", list_of(d.contradictions, check_json)},
+      {"checks", list_of(d.checks, check_json)},
+      {"effects", list_of(d.effects, [&](const NamedEffect& one) { return effect_json(one, d); })},
+      {"candidates", d.candidates},
+      {"bootstrap", bootstrap_json(d.bootstrap)},
+      {"tried", tried_json(d.selection.tried)},
+      {"excluded_above", list_of(d.excluded, excluded_json)},
+      {"fault", d.fault.empty() ? Json(nullptr) : Json(d.fault)},
+      {"needed", d.needed},
+      {"warnings", d.warnings},
+      {"next_experiments", list_of(d.next, next_json)},
+      {"where", where_json(d)},
+      {"gap",
+       {{"before", number_or_null(d.gap.before)},
+        {"after", number_or_null(d.gap.after)},
+        {"held_out_before", number_or_null(d.gap.held_out_before)},
+        {"held_out_after", number_or_null(d.gap.held_out_after)},
+        {"held_out_noise", d.gap.held_out_noise}}},
+      {"gap_of_shots", gap_of_shots_json(d)},
+      {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
+      {"noise_from", d.seen ? d.seen->noise_from : ""},
+      {"extended_model", nullptr},
+      {"report", nullptr},
+      {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
+      {"believed_tier", d.numerical_uncertainty ? "fem" : "lumped"},
+      {"numerical_uncertainty", number_or_null(d.numerical_uncertainty)},
+      {"seed", d.seed}};
 }
 
 }  // namespace rebound

@@ -58,14 +58,17 @@ std::string sizes_of(const HypothesisFit& fit) {
       text += "on";
       continue;
     }
-    const double size = fit.effects[k].size,
-                 error = fit.search.estimates[unknowns[0]].standard_error;
     const EffectCard& card = find_effect(fit.effects[k].name).card;
     const bool relative = has_logarithmic_size(card);
     const std::string unit = behind_number(size_unit(card));
-    text += std::isfinite(error)
-                ? fmt::format("{:.3g} ± {:.2g}{}", size, relative ? size * error : error, unit)
-                : fmt::format("{:.3g}{}, not identifiable", size, unit);
+    for (std::size_t ball = 0; ball < fit.model->sizes_of_effect(k); ++ball) {
+      const double size = effects_of_ball(fit.effects, ball)[k].size,
+                   error = fit.search.estimates[unknowns[ball]].standard_error;
+      text += ball > 0 ? " | " : "";
+      text += std::isfinite(error)
+                  ? fmt::format("{:.3g} ± {:.2g}{}", size, relative ? size * error : error, unit)
+                  : fmt::format("{:.3g}{}, not identifiable", size, unit);
+    }
   }
   return text;
 }
@@ -73,7 +76,8 @@ std::string sizes_of(const HypothesisFit& fit) {
 report::Table candidate_table(const Diagnosis& d) {
   report::Table table{.title = "Effects that were tried",
                       .caption =
-                          "Size with one standard error. ΔBIC: over the best of all; "
+                          "Size with one standard error, ball by ball where it was fitted so. "
+                          "ΔBIC: over the best of all; "
                           "left: largest further Δχ² of any other effect, to be below the "
                           "limit beside it; not looked for where χ² is too large already or the "
                           "criterion beyond reach of the best.",

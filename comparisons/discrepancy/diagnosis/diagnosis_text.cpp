@@ -36,9 +36,15 @@ std::string headline(const Diagnosis& d) {
     for (const auto& e : d.effects) {
       const EffectCard& card = find_effect(e.effect.name).card;
       text += fmt::format("{}{}", text.empty() ? "" : ", ", card.name);
-      if (!card.is_switch)
-        text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", e.size.value, e.size.low, e.size.high,
+      const auto add = [&](const NumberWithInterval& size) {
+        text += fmt::format(" {:.3g} [{:.3g}, {:.3g}]{}", size.value, size.low, size.high,
                             size_unit(card).empty() ? "" : " " + size_unit(card));
+      };
+      for (std::size_t ball = 0; ball < e.size_of_balls.size(); ++ball) {
+        add(e.size_of_balls[ball]);
+        text += fmt::format(" ({})", d.seen->balls[ball].name);
+      }
+      if (!card.is_switch && e.size_of_balls.empty()) add(e.size);
     }
     return text;
   };

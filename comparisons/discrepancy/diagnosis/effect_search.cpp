@@ -103,7 +103,17 @@ bool EffectSearch::found(const Fits& fits) {
   judge_candidates(selection_.tried, rules_.close_criterion, [&](AssessedFit& one) { judge(one); });
   selection_.indistinguishable = indistinguishable_models(selection_.tried, rules_.close_criterion);
   keep_history_beside_slow_memory();
-  return !selection_.indistinguishable.empty();
+  return is_settled();
+}
+
+bool EffectSearch::is_settled() const {
+  const auto& candidates = selection_.indistinguishable;
+  const bool single = std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+    return added(selection_.tried[i].fit) == 1;
+  });
+  return !candidates.empty() &&
+         !(single && leader_over_adequate(selection_.tried, rules_.close_criterion,
+                                          rules_.smallest_adequate_p));
 }
 
 void EffectSearch::judge(AssessedFit& one) const {

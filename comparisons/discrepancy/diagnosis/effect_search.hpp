@@ -15,7 +15,8 @@ using EffectNames = std::set<std::string>;
 EffectNames names_of(const std::vector<EffectChoice>& effects);
 
 /// The search for effects that explain what a baseline does not, step by step; what it finds stands
-/// in an EffectSelection. Each step says whether there is an adequate set among all so far.
+/// in an EffectSelection. Each step says whether it may end here: there is an adequate set among
+/// all so far, and beside a single effect none that is not adequate fits plainly better.
 class EffectSearch {
  public:
   /// `around` is of the baseline in `selection`; its grid of starts serves all sets. All must
@@ -39,6 +40,9 @@ class EffectSearch {
   /// residuals.
   bool sets_of(std::size_t count);
 
+  /// Of several balls: the best sets so far again, with sizes of its own for every ball.
+  bool sizes_of_each_ball();
+
   /// Of adequate sets, those with one effect less, down to sets of two: a set that needs not all it
   /// has is not minimal.
   bool prune();
@@ -61,6 +65,7 @@ class EffectSearch {
   std::vector<Extension> extensions(std::size_t count) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
+  std::vector<HypothesisFit> with_own_sizes() const;
 
   const HypothesisFit& base() const { return selection_.baseline.fit; }
   std::size_t added(const HypothesisFit& fit) const {
@@ -76,6 +81,7 @@ class EffectSearch {
   /// Ends the searches that a first look has left within reach of the best.
   void finish(Fits& looked_at) const;
   bool found(const Fits& fits);
+  bool is_settled() const;
   void judge(AssessedFit& one) const;
   /// Where all that explains the data is a memory slower than the contact, the best adequate effect
   /// of history stands beside it, whatever its criterion: one hit a speed does not tell them apart.

@@ -25,12 +25,22 @@ bool may_join(const std::string& name, const HypothesisFit& set) {
 }
 
 /// Of a formula and the free form that contains it, sets grow from the formula: the further numbers
-/// of the form would fit what another effect leaves.
-bool may_grow(const HypothesisFit& set) {
+/// of the form would fit what another effect leaves. Beside a curve one effect is looked for: with
+/// two the set has more numbers than a name could stand on.
+bool may_grow(const HypothesisFit& set, std::size_t added) {
+  const auto is_curve = [](const EffectChoice& one) {
+    return find_effect(one.name).card.is_free_form;
+  };
+  if (added > 1 && std::any_of(set.effects.begin(), set.effects.end(), is_curve)) return false;
   return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
     if (is_measurement(one.name)) return is_simple(one.name);
     return find_effect(one.name).card.contains.empty();
   });
+}
+
+bool has_own_sizes(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(),
+                     [](const EffectChoice& one) { return !one.size_of_balls.empty(); });
 }
 
 }  // namespace
@@ -69,6 +79,40 @@ HypothesisFit EffectSearch::look_at_whole(const EffectCard& card,
     if (whole.chi_square < best.chi_square) best = std::move(whole);
   }
   return best;
+}
+
+bool EffectSearch::sizes_of_each_ball() {
+  const std::vector<HypothesisFit> own = with_own_sizes();
+  if (own.empty()) return is_settled();
+  return found(
+      fit_all(own.size(), [&](std::size_t i) { return fit_further(seen_, own[i], within()); }));
+}
+
+/// Of the candidates, or else of the best fits: all formulas with a size of every ball, each from
+/// the one that all share. What has been tried so is not tried again.
+std::vector<HypothesisFit> EffectSearch::with_own_sizes() const {
+  constexpr std::size_t most = 4;
+  std::vector<HypothesisFit> own;
+  std::set<EffectNames> known;
+  for (const AssessedFit& one : selection_.tried)
+    if (has_own_sizes(one.fit)) known.insert(names_of(one.fit.effects));
+  for (std::size_t i = 0; i < selection_.tried.size() && own.size() < most; ++i) {
+    const auto& candidates = selection_.indistinguishable;
+    const bool may_stand = candidates.empty() ||
+                           std::find(candidates.begin(), candidates.end(), i) != candidates.end();
+    HypothesisFit fit = selection_.tried[i].fit;
+    if (!may_stand || !known.insert(names_of(fit.effects)).second) continue;
+    bool varies = false;
+    for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
+      EffectChoice& one = fit.effects[k];
+      const EffectCard& card = find_effect(one.name).card;
+      if (is_measurement(one.name) || card.is_switch || card.is_free_form) continue;
+      one.size_of_balls.assign(seen_.balls.size(), one.size);
+      varies = true;
+    }
+    if (varies) own.push_back(std::move(fit));
+  }
+  return own;
 }
 
 bool EffectSearch::prune() {
@@ -110,7 +154,7 @@ std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count)
   std::size_t taken = 0;
   for (std::size_t i = 0; i < selection_.tried.size() && taken < beam; ++i) {
     const HypothesisFit& smaller = selection_.tried[i].fit;
-    if (added(smaller) != count - 1 || !may_grow(smaller)) continue;
+    if (added(smaller) != count - 1 || !may_grow(smaller, count - 1)) continue;
     ++taken;
     const EffectNames own = names_of(smaller.effects);
     // Where to start, the fine grid around the baseline tells; here is but an order.

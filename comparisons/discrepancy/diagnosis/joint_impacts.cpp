@@ -47,7 +47,7 @@ LumpedProblem JointModel::lumped_problem(const std::vector<double>& values,
   problem.sphere.mass /= 1.0 + chain.mass_error;
   if (!problem.model.damping_formula.empty() && observed.restitution.value)
     problem.model.restitution = observed.restitution.value;
-  apply_effects(physical_effects(effects_at(values)), problem);
+  apply_effects(physical_effects(effects_of_shot(values, shot)), problem);
   const Plate& plate = problem.model.mechanisms.plate;
   if (plate.moves() && plate.frame.moves()) problem.controls.samples = samples_of_two_masses;
   // Numbers fitted at a nominal speed belong to the shot, whatever its true speed.
@@ -83,7 +83,8 @@ ModelledImpact JointModel::run_in_fem(const std::vector<double>& values, std::si
   Impact impact = seen_.shots[shot].impact;
   impact.speed = speed;
   const std::size_t ball = seen_.shots[shot].ball;
-  return fem()->run(ball, impact, material_at(values, ball), physical_effects(effects_at(values)));
+  return fem()->run(ball, impact, material_at(values, ball),
+                    physical_effects(effects_of_shot(values, shot)));
 }
 
 ModelledImpact JointModel::run_impact(const std::vector<double>& values, std::size_t shot) const {
@@ -128,7 +129,8 @@ ModelledImpact JointModel::planned_impact(const std::vector<double>& values, std
     Material material = material_at(values, shot.ball);
     material.youngs_modulus /= mass_factor;
     return times_as_heavy(
-        fem()->run(shot.ball, impact, material, physical_effects(effects_at(values))), mass_factor);
+        fem()->run(shot.ball, impact, material, physical_effects(effects_of_shot(values, like))),
+        mass_factor);
   }
   LumpedProblem problem = problem_at(values, like);
   problem.impact.speed = speed;
@@ -150,7 +152,8 @@ std::vector<double> JointModel::impact_key(const std::vector<double>& values,
     key.push_back(values[factor]);
   for (std::size_t k = 0; k < effects_.count(); ++k)
     if (!is_measurement(hypothesis_.effects[k].name))
-      for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+      for (const std::size_t index : effects_.places_of_ball(k, seen_.shots[shot].ball))
+        key.push_back(values[index]);
   const MeasurementChain chain = chain_at(values, shot);
   key.push_back(chain.mass_error);
   key.push_back(chain.speed_error);

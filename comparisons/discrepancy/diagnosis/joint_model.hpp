@@ -83,11 +83,13 @@ class JointModel {
 
   /// Indices of unknowns that belong to one shot: start of contact, speed.
   const std::vector<std::size_t>& shot_nuisances() const { return shot_nuisances_; }
-  /// Unknowns of effect k: size first (absent for a switch), then parameters.
+  /// Unknowns of effect k: sizes first, one or of every ball (none of a switch), then parameters.
   const std::vector<std::size_t>& unknowns_of_effect(std::size_t k) const {
     return effects_.places(k);
   }
+  std::size_t sizes_of_effect(std::size_t k) const { return effects_.sizes(k); }
 
+  std::size_t balls() const { return seen_.balls.size(); }
   /// Unknowns of the law, or of the material, of one ball.
   const std::vector<std::size_t>& unknowns_of_ball(std::size_t ball) const;
   /// What may be wrong with the measurement of one shot, its start included.
@@ -97,6 +99,11 @@ class JointModel {
 
   std::vector<EffectChoice> effects_at(const std::vector<double>& values) const {
     return effects_.at(values);
+  }
+  /// As the ball of one shot has them.
+  std::vector<EffectChoice> effects_of_shot(const std::vector<double>& values,
+                                            std::size_t shot) const {
+    return effects_of_ball(effects_.at(values), seen_.shots[shot].ball);
   }
   /// The believed model with the numbers of one ball moved to these values.
   LumpedModel believed_at(const std::vector<double>& values, std::size_t ball) const {

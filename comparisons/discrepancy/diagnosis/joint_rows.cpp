@@ -93,7 +93,7 @@ MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::si
   chain.bandwidth = seen_.shots[shot].force_bandwidth.value_or(chain.bandwidth);
   chain.filter_class = seen_.shots[shot].force_filter_class.value_or(0.0);
   chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
-  apply_effects(effects_at(values), chain);
+  apply_effects(effects_of_shot(values, shot), chain);
   nuisances_.apply(values, shot, chain);
   return chain;
 }
@@ -178,7 +178,8 @@ const std::vector<double>& JointModel::block_of(const std::vector<double>& value
   for (const std::size_t factor : unknowns_of_ball(seen_.shots[shot].ball))
     key.push_back(values[factor]);
   for (std::size_t k = 0; k < effects_.count(); ++k)
-    for (const std::size_t index : effects_.places(k)) key.push_back(values[index]);
+    for (const std::size_t index : effects_.places_of_ball(k, seen_.shots[shot].ball))
+      key.push_back(values[index]);
   for (const NuisancePlace& place : nuisances_.places(shot)) key.push_back(values[place.unknown]);
   auto& kept = blocks_[shot];
   for (const Block& block : kept)

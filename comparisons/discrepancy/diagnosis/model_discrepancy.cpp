@@ -159,7 +159,6 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
                                            const HypothesisFit& fit, const OwnMesh& own,
                                            const RunControl& control) {
   Hypothesis hypothesis = fit.hypothesis;
-  hypothesis.effects = fit.effects;
   ModelDiscrepancy gap;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     const std::vector<Impact> impacts = impacts_of(all, ball);
@@ -178,6 +177,7 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
         if (!result.incomplete_because.empty())
           throw Error(ExitCode::solver_failed, "fitted FE model: " + result.incomplete_because);
     const Observations as_data = as_observed(all.balls[ball], impacts, fine);
+    hypothesis.effects = effects_of_ball(fit.effects, ball);
     const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
       gap.curves.push_back(curve_of(lumped, i, impacts[i], fine[i].trace));

@@ -16,7 +16,8 @@ struct NumberWithInterval {
 /// An effect that every candidate has in common.
 struct NamedEffect {
   EffectChoice effect;
-  NumberWithInterval size;
+  NumberWithInterval size;                        ///< of the first ball where balls differ
+  std::vector<NumberWithInterval> size_of_balls;  ///< empty: one size for all
   std::vector<NumberWithInterval> parameters;
   std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
   std::string fem = "not-run";
@@ -31,5 +32,7 @@ struct NamedEffect {
 /// Effect k of a fit with its numbers. Where the linearised interval of its size says nothing, as
 /// for two numbers that trade against each other, it is the likelihood-ratio one.
 NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
+/// All effects of a fit beyond the first `known`.
+std::vector<NamedEffect> named_effects(const HypothesisFit& fit, std::size_t known);
 
 }  // namespace rebound

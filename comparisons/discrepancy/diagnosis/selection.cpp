@@ -12,7 +12,11 @@ namespace {
 /// The search itself: singles and families, then sets.
 void search_effects(EffectSearch& search, const EffectSelection& selection,
                     const SelectionRules& rules) {
-  if (search.singles()) return;
+  const bool several_balls = selection.baseline.fit.model->balls() > 1;
+  const auto ends = [&](bool settled) {
+    return several_balls ? search.sizes_of_each_ball() : settled;
+  };
+  if (ends(search.singles())) return;
   // Far beyond what sets mend: the believed numbers are not those of this ball, or the data are not
   // of an impact.
   constexpr double hopeless = 1e3;
@@ -20,7 +24,7 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
     return;
   for (std::size_t count = 2; count <= rules.most_effects; ++count) {
     const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
-    if (search.sets_of(count)) {
+    if (ends(search.sets_of(count))) {
       search.prune();
       return;
     }
@@ -80,8 +84,11 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
   if (!selection.baseline.adequate) {
     EffectSearch search(seen, around, effects, rules, seed, control, selection);
     search_effects(search, selection, rules);
-    prefer_nearly_adequate_curves(selection.tried, selection.baseline.fit.effects.size(),
-                                  rules.close_criterion, selection.indistinguishable);
+    const std::size_t known = selection.baseline.fit.effects.size();
+    prefer_nearly_adequate(selection.tried, known, rules.close_criterion,
+                           selection.indistinguishable);
+    deny_other_families_than_leader(selection.tried, known, rules.close_criterion,
+                                    rules.smallest_adequate_p, selection.indistinguishable);
     if (unseen.shots && !selection.indistinguishable.empty())
       choose_with_unseen_speed(*unseen.shots, rules, selection);
     selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 
 namespace rebound {
 namespace {
@@ -34,13 +36,29 @@ std::vector<ExplainedShare> explained_shares(const Diagnosis& d, const Hypothesi
   return shares;
 }
 
-/// What a candidate adds to the believed model, with numbers and intervals.
-std::vector<NamedEffect> additions(const Diagnosis& d, const HypothesisFit& fit) {
-  std::vector<NamedEffect> effects;
-  for (std::size_t k = d.believed_effects; k < fit.effects.size(); ++k)
-    effects.push_back(named_effect(fit, k));
-  return effects;
-}
+/// What candidates add to the believed model, with numbers and intervals, measured once each.
+class Additions {
+ public:
+  explicit Additions(const Diagnosis& d) : d_(d) {}
+
+  /// Measures several at once.
+  void measure(const std::vector<const HypothesisFit*>& fits) {
+    std::vector<std::vector<NamedEffect>> all(fits.size());
+    in_parallel(fits.size(), [&](std::size_t i) { all[i] = measured(*fits[i]); });
+    for (std::size_t i = 0; i < fits.size(); ++i) known_[fits[i]] = std::move(all[i]);
+  }
+  const std::vector<NamedEffect>& of(const HypothesisFit& fit) {
+    if (!known_.contains(&fit)) known_[&fit] = measured(fit);
+    return known_.at(&fit);
+  }
+
+ private:
+  std::vector<NamedEffect> measured(const HypothesisFit& fit) const {
+    return named_effects(fit, d_.believed_effects);
+  }
+  const Diagnosis& d_;
+  std::map<const HypothesisFit*, std::vector<NamedEffect>> known_;
+};
 
 /// Why a single candidate carries no name; empty where it does.
 std::string why_no_name(const std::vector<NamedEffect>& effects, const FamilySet& acting) {
@@ -56,7 +74,12 @@ std::string why_no_name(const std::vector<NamedEffect>& effects, const FamilySet
   return {};
 }
 
-void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
+bool best_candidate_is_nearly_adequate(const Diagnosis& d) {
+  const auto& candidates = d.selection.indistinguishable;
+  return !candidates.empty() && d.selection.tried[candidates.front()].nearly_adequate;
+}
+
+void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules, Additions& additions) {
   std::vector<const HypothesisFit*> fits;
   for (const std::size_t i : d.selection.indistinguishable)
     fits.push_back(&d.selection.tried[i].fit);
@@ -79,8 +102,13 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules) {
       [](const auto& names) { return std::all_of(names.begin(), names.end(), is_measurement); });
   const std::vector<std::string>& first = d.candidates.front();
   if (std::any_of(first.begin(), first.end(), in_all)) {
-    const std::vector<NamedEffect> effects = additions(d, *fits.front());
+    const std::vector<NamedEffect>& effects = additions.of(*fits.front());
     if (fits.size() == 1) d.withheld = why_no_name(effects, families.front());
+    if (fits.size() == 1 && d.withheld.empty() && best_candidate_is_nearly_adequate(d))
+      d.withheld = fmt::format(
+          "{} explains most of what is missing and fits plainly better than all else, yet "
+          "something beyond the noise is left beside it",
+          label_of(fits.front()->effects));
     if (d.withheld.empty())
       std::copy_if(effects.begin(), effects.end(), std::back_inserter(d.effects),
                    [&](const NamedEffect& one) { return in_all(one.effect.name); });
@@ -115,12 +143,19 @@ int contradicting_data(const Observations& seen, const HypothesisFit& fit) {
 
 /// Of several candidates, a set in which one member may as well not be there explains nothing by
 /// itself: it leaves the list while others stay.
-void drop_sets_with_idle_members(Diagnosis& d) {
+void drop_sets_with_idle_members(Diagnosis& d, Additions& additions) {
   auto& candidates = d.selection.indistinguishable;
+  if (candidates.size() < 2) return;
+  std::vector<const HypothesisFit*> sets;
+  for (const std::size_t i : candidates)
+    if (const HypothesisFit& fit = d.selection.tried[i].fit;
+        added_effects(fit, d.believed_effects).size() > 1)
+      sets.push_back(&fit);
+  additions.measure(sets);
   const auto idle = [&](std::size_t i) {
     const HypothesisFit& fit = d.selection.tried[i].fit;
-    return added_effects(fit, d.believed_effects).size() > 1 &&
-           !why_no_name(additions(d, fit), added_families(d, fit)).empty();
+    return std::find(sets.begin(), sets.end(), &fit) != sets.end() &&
+           !why_no_name(additions.of(fit), added_families(d, fit)).empty();
   };
   if (std::all_of(candidates.begin(), candidates.end(), idle)) return;
   std::erase_if(candidates, idle);
@@ -173,14 +208,15 @@ void locate(Diagnosis& d) {
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
   withdraw_what_cannot_fail(d, rules);
-  drop_sets_with_idle_members(d);
+  Additions additions(d);
+  drop_sets_with_idle_members(d, additions);
   locate(d);
   if (!d.selection.explains()) {
     d.verdict =
         d.needed.empty() ? DiagnosisVerdict::unexplained : DiagnosisVerdict::insufficient_data;
-    d.effects = additions(d, d.best());
+    d.effects = additions.of(d.best());
   } else if (d.extended()) {
-    conclude_from_candidates(d, rules);
+    conclude_from_candidates(d, rules, additions);
     if (d.verdict == DiagnosisVerdict::missing && speed_clusters(*d.seen).size() < 2)
       withhold(d, without_name(d),
                "all shots have one speed, so that nothing is seen to hold at another");

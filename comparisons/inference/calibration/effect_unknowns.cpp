@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace rebound {
 namespace {
@@ -78,13 +79,28 @@ EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects, bool of_fem,
       own.push_back(unknowns.size());
       unknowns.push_back(unknown);
     };
+    sizes_.push_back(0);
     if (card.is_switch) continue;
-    add(size_of(card, choice.size));
+    sizes_.back() = std::max<std::size_t>(1, choice.size_of_balls.size());
+    if (choice.size_of_balls.empty()) add(size_of(card, choice.size));
+    for (std::size_t ball = 0; ball < choice.size_of_balls.size(); ++ball) {
+      CalibrationParameter own = size_of(card, choice.size_of_balls[ball]);
+      own.name += " of ball " + std::to_string(ball + 1);
+      add(own);
+    }
     for (const EffectParameterCard& parameter : card.parameters)
       if (is_unknown(parameter, of_fem_))
         add(parameter.kind == ParameterKind::linear ? linear_of(card, parameter, choice)
                                                     : logarithm_of(card, parameter, choice));
   }
+}
+
+std::vector<std::size_t> EffectUnknowns::places_of_ball(std::size_t k, std::size_t ball) const {
+  if (sizes_[k] < 2) return places_[k];
+  std::vector<std::size_t> own{places_[k][ball]};
+  own.insert(own.end(), places_[k].begin() + static_cast<std::ptrdiff_t>(sizes_[k]),
+             places_[k].end());
+  return own;
 }
 
 std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) const {
@@ -93,10 +109,16 @@ std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) 
     const auto& own = places_[k];
     if (own.empty()) continue;
     const EffectCard& card = find_effect(effects[k].name).card;
-    effects[k].size = has_logarithmic_size(card) ? std::clamp(std::exp(values[own[0]]),
-                                                              card.range.lowest, card.range.highest)
-                                                 : values[own[0]];
-    std::size_t next = 1;
+    const auto size_at = [&](std::size_t place) {
+      const double value = values[own[place]];
+      return has_logarithmic_size(card)
+                 ? std::clamp(std::exp(value), card.range.lowest, card.range.highest)
+                 : value;
+    };
+    effects[k].size = size_at(0);
+    for (std::size_t ball = 0; ball < effects[k].size_of_balls.size(); ++ball)
+      effects[k].size_of_balls[ball] = size_at(ball);
+    std::size_t next = sizes_[k];
     for (const auto& parameter : card.parameters)
       if (is_unknown(parameter, of_fem_)) {
         const double value = values[own[next++]];

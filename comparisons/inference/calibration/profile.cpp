@@ -1,12 +1,14 @@
 #include "comparisons/inference/calibration/profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/inference/calibration/search.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -38,13 +40,16 @@ class Held {
   };
   Point start(double value, double cost) const { return {value, cost, start_}; }
 
-  /// Least cost with the parameter at `value`, the others searched from where they stand at `near`.
-  Point point_at(double value, const Point& near, const RunControl& control) {
+  /// Least cost with the parameter at `value`, the others searched from where they stand at `near`,
+  /// or on the line from `before` through it, whichever is the better start.
+  Point point_at(double value, const Point& before, const Point& near, const RunControl& control) {
     value_ = value;
     Point point{value, std::numeric_limits<double>::infinity(), near.others};
     try {
       const std::vector<double> r = inner_.residuals(point.others);
       if (point.others.empty()) return {value, half_square(r), {}};
+      std::vector<double> ahead = on_the_line(value, before, near);
+      if (cost_or_infinity(ahead) < half_square(r)) point.others = std::move(ahead);
       CalibrationCost cost(inner_, static_cast<int>(r.size()));
       std::vector<double> y = point.others;
       for (std::size_t i = 0; i < y.size(); ++i) y[i] /= inner_.parameters[i].scale;
@@ -65,6 +70,23 @@ class Held {
     double sum = 0.0;
     for (double one : r) sum += 0.5 * one * one;
     return sum;
+  }
+  double cost_or_infinity(const std::vector<double>& others) const {
+    try {
+      return half_square(inner_.residuals(others));
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed) throw;
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  std::vector<double> on_the_line(double value, const Point& before, const Point& near) const {
+    if (near.value == before.value) return near.others;
+    const double share = (value - near.value) / (near.value - before.value);
+    std::vector<double> ahead = near.others;
+    for (std::size_t i = 0; i < ahead.size(); ++i)
+      ahead[i] = std::clamp(ahead[i] + share * (near.others[i] - before.others[i]),
+                            inner_.parameters[i].lowest, inner_.parameters[i].highest);
+    return ahead;
   }
   ResidualsWithJacobian without_held(ResidualsWithJacobian all) const {
     const std::size_t unknowns = whole_.parameters.size();
@@ -144,7 +166,7 @@ class Walk {
     inside_ = point;
   }
   Point search(double value) {
-    Point point = held_.point_at(value, inside_, control_);
+    Point point = held_.point_at(value, best_, inside_, control_);
     if (std::isfinite(point.cost)) side_.points.push_back(point);
     return point;
   }
@@ -187,6 +209,43 @@ class Walk {
   Side side_;
 };
 
+/// One side of the profile, none where the optimum stands at that bound.
+Side walk(const CalibrationProblem& problem, const CalibrationResult& result, std::size_t parameter,
+          double sign, const RunControl& control) {
+  const auto& card = problem.parameters[parameter];
+  const Estimate& estimate = result.estimates[parameter];
+  std::vector<double> optimum;
+  for (const auto& e : result.estimates) optimum.push_back(e.value);
+  const double width = card.highest - card.lowest;
+  const double bound = sign < 0.0 ? card.lowest : card.highest;
+  if (std::abs(bound - estimate.value) <= 1e-9 * width) return {};
+  const std::size_t residuals = problem.residuals(optimum).size();
+  const double allowed = allowed_cost_increase(problem, result, residuals);
+  double step = 2.0 * estimate.standard_error;
+  if (!(step > 0.0) || !std::isfinite(step)) step = 0.1 * card.scale;
+  step = std::min(step, 0.5 * width);
+  Held held(problem, parameter, optimum);
+  const Point best = held.start(estimate.value, result.cost_after);
+  return Walk(held, best, bound, allowed, control).from_step(sign * step);
+}
+
+ProfileInterval interval_of(const CalibrationParameter& card, const CalibrationResult& result,
+                            std::size_t parameter, const std::array<Side, 2>& sides) {
+  ProfileInterval interval{.low = sides[0].crossing.value_or(card.lowest),
+                           .high = sides[1].crossing.value_or(card.highest)};
+  interval.low_closed = sides[0].crossing.has_value();
+  interval.high_closed = sides[1].crossing.has_value();
+  std::vector<Point> points = {{result.estimates[parameter].value, result.cost_after, {}}};
+  for (const Side& side : sides)
+    points.insert(points.end(), side.points.begin(), side.points.end());
+  std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.value < b.value; });
+  for (const auto& point : points) {
+    interval.value.push_back(point.value);
+    interval.cost.push_back(point.cost);
+  }
+  return interval;
+}
+
 }  // namespace
 
 double allowed_cost_increase(const CalibrationProblem& problem, const CalibrationResult& result,
@@ -200,36 +259,19 @@ double allowed_cost_increase(const CalibrationProblem& problem, const Calibratio
 
 ProfileInterval profile_of(const CalibrationProblem& problem, const CalibrationResult& result,
                            std::size_t parameter, const RunControl& control) {
-  const auto& card = problem.parameters[parameter];
-  const Estimate& estimate = result.estimates[parameter];
-  std::vector<double> optimum;
-  for (const auto& e : result.estimates) optimum.push_back(e.value);
-  const std::size_t residuals = problem.residuals(optimum).size();
-  const double allowed = allowed_cost_increase(problem, result, residuals);
-  const double width = card.highest - card.lowest;
-  double step = 2.0 * estimate.standard_error;
-  if (!(step > 0.0) || !std::isfinite(step)) step = 0.1 * card.scale;
-  step = std::min(step, 0.5 * width);
+  const Side low = walk(problem, result, parameter, -1.0, control);
+  return interval_of(problem.parameters[parameter], result, parameter,
+                     {low, walk(problem, result, parameter, 1.0, control)});
+}
 
-  ProfileInterval interval{.low = card.lowest, .high = card.highest};
-  std::vector<Point> points = {{estimate.value, result.cost_after, {}}};
-  for (const double sign : {-1.0, 1.0}) {
-    Held held(problem, parameter, optimum);
-    const double bound = sign < 0.0 ? card.lowest : card.highest;
-    if (std::abs(bound - estimate.value) <= 1e-9 * width) continue;
-    const Point best = held.start(estimate.value, result.cost_after);
-    const Side side = Walk(held, best, bound, allowed, control).from_step(sign * step);
-    points.insert(points.end(), side.points.begin(), side.points.end());
-    if (!side.crossing) continue;
-    (sign < 0.0 ? interval.low : interval.high) = *side.crossing;
-    (sign < 0.0 ? interval.low_closed : interval.high_closed) = true;
-  }
-  std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.value < b.value; });
-  for (const auto& point : points) {
-    interval.value.push_back(point.value);
-    interval.cost.push_back(point.cost);
-  }
-  return interval;
+ProfileInterval profile_of(const CalibrationProblem& below, const CalibrationProblem& above,
+                           const CalibrationResult& result, std::size_t parameter,
+                           const RunControl& control) {
+  std::array<Side, 2> sides;
+  in_parallel(2, [&](std::size_t i) {
+    sides[i] = walk(i == 0 ? below : above, result, parameter, i == 0 ? -1.0 : 1.0, control);
+  });
+  return interval_of(below.parameters[parameter], result, parameter, sides);
 }
 
 }  // namespace rebound

@@ -19,4 +19,10 @@ double allowed_cost_increase(const CalibrationProblem& problem, const Calibratio
 ProfileInterval profile_of(const CalibrationProblem& problem, const CalibrationResult& result,
                            std::size_t parameter, const RunControl& control);
 
+/// The same with both sides walked at once: `below` and `above` are one problem twice, and share
+/// nothing that two threads must not use together.
+ProfileInterval profile_of(const CalibrationProblem& below, const CalibrationProblem& above,
+                           const CalibrationResult& result, std::size_t parameter,
+                           const RunControl& control);
+
 }  // namespace rebound

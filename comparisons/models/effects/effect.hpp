@@ -112,9 +112,13 @@ struct EffectChoice {
   std::string name;
   double size = 0.0;                         ///< SI, by the card
   std::map<std::string, double> parameters;  ///< those left out take the card's default
+  std::vector<double> size_of_balls{};  ///< in place of `size` where balls differ; empty: alike
 
   friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
 };
+
+/// Effects as one of several balls has them.
+std::vector<EffectChoice> effects_of_ball(std::vector<EffectChoice> effects, std::size_t ball);
 
 /// Of an effect that is a mass on a spring. What rings has a narrow valley for every frequency: a
 /// diagnosis looks along those that the data can hold, not along the numbers of the card.

@@ -127,6 +127,14 @@ const Effect& find_effect(const std::string& name) {
               {.key = "model.effect", .value = name, .allowed = names});
 }
 
+std::vector<EffectChoice> effects_of_ball(std::vector<EffectChoice> effects, std::size_t ball) {
+  for (EffectChoice& one : effects) {
+    if (!one.size_of_balls.empty()) one.size = one.size_of_balls[ball];
+    one.size_of_balls.clear();
+  }
+  return effects;
+}
+
 bool is_measurement(const std::string& name) {
   return find_effect(name).card.kind == EffectKind::measurement;
 }

@@ -1,4 +1,4 @@
-// A curve that is nearly adequate against sets that fit worse.
+// What is nearly adequate, or only fits plainly better, against what is adequate and fits worse.
 #include <gtest/gtest.h>
 
 #include "comparisons/discrepancy/diagnosis/candidates.hpp"
@@ -23,7 +23,7 @@ Members candidates_beside(double curve, double pair) {
   tried[0].nearly_adequate = true;
   tried[1].adequate = true;
   Members members{1};
-  prefer_nearly_adequate_curves(tried, 0, 6.0, members);
+  prefer_nearly_adequate(tried, 0, 6.0, members);
   return members;
 }
 
@@ -33,6 +33,55 @@ TEST(NearlyAdequateTest, ACurveGoesBeforeASetThatFitsPlainlyWorse) {
 
 TEST(NearlyAdequateTest, ASetWithinReachStaysTheCandidate) {
   EXPECT_EQ(candidates_beside(1000.0, 1005.0), (Members{1}));
+}
+
+TEST(NearlyAdequateTest, SoDoesAFormula) {
+  std::vector<AssessedFit> tried{fit_of({"sensor-lag"}, 1000.0),
+                                 fit_of({"linear-dashpot"}, 1033.0)};
+  tried[0].nearly_adequate = true;
+  tried[1].adequate = true;
+  Members members{1};
+  prefer_nearly_adequate(tried, 0, 6.0, members);
+  EXPECT_EQ(members, (Members{0}));
+}
+
+/// Fits of these criteria: one that leaves something, and one that is adequate.
+std::vector<AssessedFit> leader_and_adequate(const std::string& adequate, double behind, double p) {
+  std::vector<AssessedFit> tried{fit_of({"permanent-set"}, 1000.0),
+                                 fit_of({adequate}, 1000.0 + behind)};
+  tried[0].p_value = p;
+  tried[1].p_value = 0.5;
+  tried[1].adequate = true;
+  return tried;
+}
+
+TEST(LeaderTest, FitsPlainlyBetterAndNoiseCouldMakeItsChiSquare) {
+  const auto tried = leader_and_adequate("damping-curves", 124.0, 0.17);
+  EXPECT_EQ(leader_over_adequate(tried, 6.0, 1e-3), &tried[0]);
+}
+
+TEST(LeaderTest, IsNoneWithinReach) {
+  EXPECT_EQ(leader_over_adequate(leader_and_adequate("damping-curves", 5.0, 0.17), 6.0, 1e-3),
+            nullptr);
+}
+
+TEST(LeaderTest, IsNoneThatItsOwnChiSquareRefuses) {
+  EXPECT_EQ(leader_over_adequate(leader_and_adequate("damping-curves", 124.0, 1e-4), 6.0, 1e-3),
+            nullptr);
+}
+
+TEST(LeaderTest, DeniesWhatIsOfAnotherFamily) {
+  Members members{1};
+  deny_other_families_than_leader(leader_and_adequate("damping-curves", 124.0, 0.17), 0, 6.0, 1e-3,
+                                  members);
+  EXPECT_TRUE(members.empty());
+}
+
+TEST(LeaderTest, LeavesItsOwnFamily) {
+  Members members{1};
+  deny_other_families_than_leader(leader_and_adequate("unloading-curve", 124.0, 0.17), 0, 6.0, 1e-3,
+                                  members);
+  EXPECT_EQ(members, (Members{1}));
 }
 
 }  // namespace

@@ -36,5 +36,19 @@ TEST(EffectUnknownsTest, AShotIsNoUnknown) {
   EXPECT_EQ(gain.at({0.2})[0].parameters.at("shot"), 2.0);
 }
 
+TEST(EffectUnknownsTest, BallsMayHaveSizesOfTheirOwn) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns relaxation({{"relaxation", 0.3, {{"relaxation_time", 1e-3}}, {0.3, 0.6}}},
+                                  false, unknowns);
+  ASSERT_EQ(unknowns.size(), 3u);
+  EXPECT_EQ(relaxation.sizes(0), 2u);
+  EXPECT_EQ(unknowns[1].start, 0.6);
+  EXPECT_EQ(relaxation.places_of_ball(0, 1), (std::vector<std::size_t>{1, 2}));
+  const auto moved = relaxation.at({0.2, 0.5, std::log(2e-3)});
+  EXPECT_EQ(effects_of_ball(moved, 0)[0].size, 0.2);
+  EXPECT_EQ(effects_of_ball(moved, 1)[0].size, 0.5);
+  EXPECT_NEAR(moved[0].parameters.at("relaxation_time"), 2e-3, 1e-9);
+}
+
 }  // namespace
 }  // namespace rebound
