@@ -50,7 +50,14 @@ def files(folder):
 
     fem = (folder / "fem.toml").read_text(encoding="utf-8").replace("cells = 1000", "cells = 150")
     plan = (folder / "synthesis.toml").read_text(encoding="utf-8")
-    return {"convert.toml": RESTITUTION, "grid.toml": GRID, "material.toml": MATERIAL, "drops.csv": DROPS,
+
+    def with_hysteresis(size, mass):
+        head, rest = plan[:plan.index("[[model.effect]]")], plan[plan.index("[instrument]"):]
+        effect = f'[[model.effect]]\nname = "hysteresis"\nsize = {size}\n'
+        return head.replace("89.6 g", mass) + effect + rest
+
+    return {"light.toml": with_hysteresis(0.1, "90 g"), "heavy.toml": with_hysteresis(0.3, "110 g"),
+            "convert.toml": RESTITUTION, "grid.toml": GRID, "material.toml": MATERIAL, "drops.csv": DROPS,
             "scalars.toml": SCALARS, "fem.toml": fem, "elastic.toml": without_branch(fem),
             "plan.toml": plan[:plan.index("[[model.effect]]")] + plan[plan.index("[instrument]"):]}
 
@@ -96,6 +103,9 @@ CASES = [
     ["diagnose", "drops", "--model", "lumped.toml"],
     ["synthesize", "plan.toml", "--out", "nothing"],
     ["diagnose", "nothing/data", "--model", "lumped.toml"],
+    ["synthesize", "light.toml", "--out", "light"],
+    ["synthesize", "heavy.toml", "--out", "heavy"],
+    ["diagnose", "light/data", "heavy/data", "--model", "lumped.toml"],
     ["design", "plan.toml"],
     ["trials", "blind", "--count", "2"],
     ["trials", "blind"],
