@@ -24,6 +24,7 @@
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/io/toml/impact_file.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
+#include "comparisons/models/fem_access/material_stability.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/atomic_file.hpp"
@@ -70,6 +71,9 @@ void prepare_output(const Session& session, const Document& document, FemProblem
 
 enum class Errors { not_asked, reference };
 
+/// Shapes that are kept to see what strain a material reaches, where no picture asks for more.
+constexpr int watched_shapes = 24;
+
 struct Outcome {
   FemResult result;
   Json json;  ///< null when incomplete
@@ -91,8 +95,18 @@ Outcome simulate(FemProblem problem, Errors errors) {
     report::Section bars = error_bars(reference);
     return {std::move(reference.result), std::move(json), std::move(bars)};
   }
-  FemResult result = fem_tier().simulate(problem, mesh, progress.control());
-  Json json = result.incomplete_because.empty() ? to_json(result) : Json();
+  FemProblem watched = problem;
+  if (problem.controls.shape_frames == 0) watched.controls.shape_frames = watched_shapes;
+  FemResult result = fem_tier().simulate(watched, mesh, progress.control());
+  const std::string warning = instability_warning(problem.material, result.shapes);
+  if (problem.controls.shape_frames == 0) result.shapes = {};
+  if (!result.incomplete_because.empty()) {
+    if (!warning.empty()) result.incomplete_because += "; " + warning;
+    return {std::move(result), Json()};
+  }
+  if (!warning.empty()) fmt::print(stderr, "rebound: {}\n", warning);
+  Json json = to_json(result);
+  json["warnings"] = warning.empty() ? Json::array() : Json::array({warning});
   return {std::move(result), std::move(json)};
 }
 

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <map>
 
 #include "tests/cli/program.hpp"
 
@@ -229,6 +230,58 @@ TEST_F(FemCommandTest, TheImplicitSchemeStopsWithWhatIsKnown) {
     EXPECT_TRUE(there(name + "/trace-incomplete.csv"));
     EXPECT_FALSE(there(name + "/result.json"));
   }
+}
+
+/// An impact at the edge of what a body can stand, near its shear wave speed.
+std::string violent(const std::string& material, const std::string& scheme = "explicit") {
+  return "schema = 1\n[impact]\nspeed = \"25 m/s\"\n[sphere]\nmass = \"89.6 g\"\n"
+         "diameter = \"66.2 mm\"\n[model]\ntier = \"fem\"\ncells = 100\nscheme = \"" +
+         scheme + "\"\n[model.material]\n" + material;
+}
+
+TEST_F(FemCommandTest, ABodyThatIsTurnedInsideOutReportsNoScalar) {
+  const std::string foam =
+      "elastic = \"hyperfoam\"\nyoungs_modulus = \"2 MPa\"\n"
+      "poisson_ratio = 0.1\n[[model.material.term]]\nweight = 1\n";
+  const std::map<std::string, std::string> bodies{
+      {"foam", violent(foam + "exponent = -40\n")},
+      {"implicit-foam", violent(foam + "exponent = 8\n", "implicit")},
+      {"locking",
+       violent("elastic = \"neo-hookean\"\nyoungs_modulus = \"1.3 MPa\"\npoisson_ratio = 0.3\n"
+               "strain_stiffening = 1000\n")},
+      {"plateau",
+       violent("elastic = \"neo-hookean\"\nyoungs_modulus = \"4 MPa\"\npoisson_ratio = 0.3\n"
+               "strain_softening = 0.95\n")}};
+  for (const auto& [name, text] : bodies) {
+    folder.write(name + ".toml", text);
+    const Outcome outcome = rebound({"fem", name + ".toml", "--json", "--out", name});
+    EXPECT_EQ(outcome.exit_code, 3) << name << outcome.output << outcome.errors;
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_FALSE(json.contains("restitution")) << name;
+    const std::string message = json["error"]["message"];
+    EXPECT_NE(message.find("inside out"), std::string::npos) << message;
+    EXPECT_EQ(message.find("unstable") != std::string::npos, name == "plateau") << message;
+    EXPECT_TRUE(there(name + "/incomplete.json"));
+    EXPECT_TRUE(there(name + "/trace-incomplete.csv"));
+    EXPECT_FALSE(there(name + "/result.json"));
+  }
+}
+
+TEST_F(FemCommandTest, AMaterialThatIsUnstableInTheStrainItReachesIsAWarning) {
+  const std::string plateau = violent(
+      "elastic = \"neo-hookean\"\nyoungs_modulus = \"40 MPa\"\npoisson_ratio = "
+      "0.3\nstrain_softening = 0.9\n");
+  const auto warnings_of = [&](const std::string& text) {
+    folder.write("a.toml", text);
+    const Outcome outcome = rebound({"fem", "a.toml", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output)["warnings"];
+  };
+  const auto warned = warnings_of(plateau);
+  ASSERT_EQ(warned.size(), 1u);
+  EXPECT_NE(warned[0].get<std::string>().find("unstable beyond a strain of"), std::string::npos);
+  EXPECT_TRUE(
+      warnings_of(replaced(plateau, "strain_softening = 0.9", "strain_softening = 0.5")).empty());
 }
 
 TEST_F(FemCommandTest, AnInterruptedRunKeepsWhatIsKnown) {

@@ -56,7 +56,8 @@ def files(folder):
         effect = f'[[model.effect]]\nname = "hysteresis"\nsize = {size}\n'
         return head.replace("89.6 g", mass) + effect + rest
 
-    return {"light.toml": with_hysteresis(0.1, "90 g"), "heavy.toml": with_hysteresis(0.3, "110 g"),
+    plateau = fem.replace("poisson_ratio", "strain_softening = 0.9\npoisson_ratio")
+    return {"plateau.toml": without_branch(plateau), "light.toml": with_hysteresis(0.1, "90 g"), "heavy.toml": with_hysteresis(0.3, "110 g"),
             "convert.toml": RESTITUTION, "grid.toml": GRID, "material.toml": MATERIAL, "drops.csv": DROPS,
             "scalars.toml": SCALARS, "fem.toml": fem, "elastic.toml": without_branch(fem),
             "plan.toml": plan[:plan.index("[[model.effect]]")] + plan[plan.index("[instrument]"):]}
@@ -71,6 +72,7 @@ CASES = [
     ["fem", "fem.toml", "--out", "soft"],
     ["fem", "fem.toml", "--reference"],
     ["fem", "elastic.toml"],
+    ["fem", "plateau.toml"],
     ["compress", "compression.toml"],
     ["mesh", "--diameter", "66.2 mm", "--cells", "200"],
     ["mesh", "--diameter", "66.2 mm", "--cells", "200", "--out", "ball.msh"],
