@@ -108,6 +108,12 @@ TEST(ProfileTest, FollowsANarrowValleyThatBends) {
   ASSERT_TRUE(profile.low_closed && profile.high_closed);
   EXPECT_NEAR(profile.low, std::exp(-1.959964 * sigma), 0.02);
   EXPECT_NEAR(profile.high, std::exp(1.959964 * sigma), 0.05);
+  // Both sides at once are the same walks.
+  const CalibrationProblem above = problem;
+  const auto at_once = profile_of(problem, above, found, 0, {});
+  EXPECT_EQ(at_once.low, profile.low);
+  EXPECT_EQ(at_once.high, profile.high);
+  EXPECT_TRUE(at_once.low_closed && at_once.high_closed);
 }
 
 }  // namespace
