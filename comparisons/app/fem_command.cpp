@@ -71,7 +71,8 @@ void prepare_output(const Session& session, const Document& document, FemProblem
 
 enum class Errors { not_asked, reference };
 
-/// Shapes that are kept to see what strain a material reaches, where no picture asks for more.
+/// Shapes that are kept to see what strain a material that may be unstable reaches, where no
+/// picture asks for more: they take as long as the rest.
 constexpr int watched_shapes = 24;
 
 struct Outcome {
@@ -96,7 +97,8 @@ Outcome simulate(FemProblem problem, Errors errors) {
     return {std::move(reference.result), std::move(json), std::move(bars)};
   }
   FemProblem watched = problem;
-  if (problem.controls.shape_frames == 0) watched.controls.shape_frames = watched_shapes;
+  if (problem.controls.shape_frames == 0 && may_be_unstable(problem.material))
+    watched.controls.shape_frames = watched_shapes;
   FemResult result = fem_tier().simulate(watched, mesh, progress.control());
   const std::string warning = instability_warning(problem.material, result.shapes);
   if (problem.controls.shape_frames == 0) result.shapes = {};

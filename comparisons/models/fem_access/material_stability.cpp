@@ -85,8 +85,13 @@ std::optional<double> unstable_stretch(const Material& material, const StretchRa
   return pressed ? pressed : drawn;
 }
 
+bool may_be_unstable(const Material& material) {
+  return material.layers.empty() &&
+         unstable_stretch(material, {.smallest = 0.3, .largest = 2.0}).has_value();
+}
+
 std::string instability_warning(const Material& material, const ShapeHistory& shapes) {
-  if (shapes.positions.empty() || !material.layers.empty()) return {};
+  if (shapes.positions.empty() || !may_be_unstable(material)) return {};
   const StretchRange range = reached_stretches(shapes);
   const auto unstable = unstable_stretch(material, range);
   if (!unstable) return {};

@@ -28,6 +28,9 @@ StretchRange reached_stretches(const ShapeHistory& shapes);
 /// Errors: Error(bad_input) for a material out of range.
 std::optional<double> unstable_stretch(const Material& material, const StretchRange& range);
 
+/// Is there such a stretch between 0.3 and 2, and no layer?
+bool may_be_unstable(const Material& material);
+
 /// A sentence for an impact that takes its material to where it is unstable, with both strains;
 /// empty: it does not. Layers are not looked at.
 std::string instability_warning(const Material& material, const ShapeHistory& shapes);

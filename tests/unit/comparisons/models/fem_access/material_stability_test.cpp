@@ -24,6 +24,8 @@ TEST(MaterialStabilityTest, APlateauThatFalls) {
 
 TEST(MaterialStabilityTest, APlateauThatRises) {
   EXPECT_FALSE(unstable_stretch(plateau(0.7), {.smallest = 0.6, .largest = 1.3}).has_value());
+  EXPECT_FALSE(may_be_unstable(plateau(0.7)));
+  EXPECT_TRUE(may_be_unstable(plateau(0.95)));
 }
 
 TEST(MaterialStabilityTest, WhatIsNotReachedDoesNotCount) {
