@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -36,6 +37,10 @@ void limit(int what, double most) {
   setrlimit(static_cast<__rlimit_resource>(what), &both);
 }
 
+rlim_t whole_seconds(const Isolation& limits) {
+  return static_cast<rlim_t>(std::ceil(limits.seconds));
+}
+
 double mapped_memory() {
   double pages = 0.0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -52,6 +57,9 @@ void withdraw(pid_t parent, const Isolation& limits) {
   limit(RLIMIT_CORE, 0.0);
   if (limits.files == Isolation::Files::none) limit(RLIMIT_FSIZE, 0.0);
   limit(RLIMIT_AS, mapped_memory() + limits.memory);
+  // Of the soft limit alone there is a signal that says so.
+  const rlimit time{whole_seconds(limits), RLIM_INFINITY};
+  setrlimit(RLIMIT_CPU, &time);
 }
 
 /// "+" and the result, or "-" and the error.
@@ -144,6 +152,10 @@ std::string isolated(const std::function<std::string()>& work, const Isolation& 
   const int status = child.end();
   if (control.interrupted && control.interrupted())
     throw Error(ExitCode::interrupted, "interrupted while " + program + " was at work");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    throw Error(ExitCode::bad_input, program + " was at work on it for more than " +
+                                         std::to_string(whole_seconds(limits)) +
+                                         " s of processor time: damaged?");
   if (WIFSIGNALED(status))
     throw Error(ExitCode::bad_input,
                 program + " crashed on it (" + strsignal(WTERMSIG(status)) + "): damaged?");

@@ -12,6 +12,7 @@ struct Isolation {
   enum class Files { none, writes };
   Files files = Files::none;     ///< may it write files at all?
   double memory = 1e9;           ///< beyond what this process has mapped [B]
+  double seconds = 600.0;        ///< of processor time
   const char* program = "Gmsh";  ///< who is at work, in messages
 };
 

@@ -153,6 +153,9 @@ TEST_F(OwnMesh, DamagedMissingAndUnlabelledFilesAreRefused) {
   EXPECT_EQ(code_of("cut.msh", whole.substr(0, whole.size() / 2)), 2);
   EXPECT_EQ(code_of("empty.msh", ""), 2);
   EXPECT_EQ(code_of("text.msh", "no mesh\n"), 2);
+  EXPECT_EQ(code_of("picture.msh", "\x89PNG\r\n\x1a\n"), 2);
+  EXPECT_EQ(code_of("grid.vtk", "# vtk DataFile Version 3.0\n"), 2);
+  EXPECT_EQ(code_of("endless.geo", "For i In {0:1}\n"), 2);
   EXPECT_EQ(code_of("plain.geo", ball_geo.substr(0, ball_geo.find("Physical"))), 2);
   EXPECT_EQ(code_of("shell.geo", ball_geo + "SystemCall \"touch made\";\n"), 2);
   EXPECT_EQ(code_of("far.geo", "R = 33.1; h = 3;" + ball_geo.substr(ball_geo.find('\n'))), 2);

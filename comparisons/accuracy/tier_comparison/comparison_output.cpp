@@ -8,6 +8,7 @@
 
 #include "comparisons/accuracy/tier_comparison/baseline.hpp"
 #include "comparisons/io/results/key_words.hpp"
+#include "comparisons/models/parallel/processor_time.hpp"
 
 namespace rebound {
 namespace {
@@ -188,7 +189,14 @@ Json to_json(const std::vector<CaseComparison>& cases) {
                     {"gaps", gaps},
                     {"remarks", one.remarks}});
   }
-  return {{"schema", 1}, {"passes", all_pass(cases)}, {"cases", list}};
+  double fem_seconds = 0.0;
+  for (const CaseComparison& one : cases)
+    for (const TierRecord& record : one.records) fem_seconds += record.fem_seconds;
+  return {{"schema", 1},
+          {"passes", all_pass(cases)},
+          {"cases", list},
+          {"fem_processor_s", fem_seconds},
+          {"processor_s", process_time()}};
 }
 
 std::string to_text(const std::vector<CaseComparison>& cases) {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "comparisons/accuracy/numerical_error/reference_impact.hpp"
 #include "comparisons/io/results/digest.hpp"
@@ -15,6 +18,7 @@
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
+#include "comparisons/models/parallel/processor_time.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "meshes/refine/refined_mesh.hpp"
 
@@ -50,6 +54,38 @@ std::vector<double> speeds_of(const CompareCase& one, double of_file) {
   return speeds;
 }
 
+/// The FE tier, which counts the processor time of its impacts.
+class TimedTier final : public FemTier {
+ public:
+  std::shared_ptr<const FemBody> prepare(const Mesh& mesh, double mass) const override {
+    return std::make_shared<Body>(fem_tier().prepare(mesh, mass), seconds_);
+  }
+  CompressionResult compress(const CompressionProblem& problem, const Mesh& mesh,
+                             const RunControl& control) const override {
+    return fem_tier().compress(problem, mesh, control);
+  }
+  std::string versions() const override { return fem_tier().versions(); }
+  double seconds() const { return *seconds_; }
+
+ private:
+  using Seconds = std::shared_ptr<std::atomic<double>>;
+
+  struct Body final : FemBody {
+    Body(std::shared_ptr<const FemBody> body, Seconds total)
+        : timed(std::move(body)), seconds(std::move(total)) {}
+    FemResult simulate(const FemProblem& problem, const RunControl& control) const override {
+      const double start = thread_time();
+      FemResult result = timed->simulate(problem, control);
+      *seconds += thread_time() - start;
+      return result;
+    }
+    std::shared_ptr<const FemBody> timed;
+    Seconds seconds;
+  };
+
+  Seconds seconds_ = std::make_shared<std::atomic<double>>(0.0);
+};
+
 TierRecord lumped_record(const LumpedProblem& problem) {
   TierRecord record{.tier = "lumped",
                     .speed = problem.impact.speed,
@@ -74,11 +110,11 @@ TierRecord lumped_record(const LumpedProblem& problem) {
 }
 
 /// Scalars of the finest mesh of the reference family at speeds a hair above and below.
-std::array<std::map<std::string, double>, 2> nudged(const FemProblem& problem, const Mesh& coarse,
-                                                    const RunControl& control) {
+std::array<std::map<std::string, double>, 2> nudged(const FemTier& tier, const FemProblem& problem,
+                                                    const Mesh& coarse, const RunControl& control) {
   const double radius = problem.sphere.radius();
   const Mesh fine = refined_mesh(refined_mesh(coarse, radius), radius);
-  const auto body = fem_tier().prepare(fine, problem.sphere.mass);
+  const auto body = tier.prepare(fine, problem.sphere.mass);
   std::array<std::map<std::string, double>, 2> scalars;
   in_parallel(scalars.size(), [&](std::size_t i) {
     FemProblem moved = problem;
@@ -91,8 +127,9 @@ std::array<std::map<std::string, double>, 2> nudged(const FemProblem& problem, c
 TierRecord fem_record(const FemProblem& problem, const RunControl& control) {
   constexpr int family = 1 + 4 + 16;
   const Mesh coarse = mesh_for(problem, control, family);
-  const ReferenceImpact reference = run_reference(fem_tier(), problem, coarse, control);
-  const auto beside = nudged(problem, coarse, control);
+  const TimedTier tier;
+  const ReferenceImpact reference = run_reference(tier, problem, coarse, control);
+  const auto beside = nudged(tier, problem, coarse, control);
   TierRecord record{.tier = "fem",
                     .speed = problem.impact.speed,
                     .separation = name_of(reference.result.scalars.separation),
@@ -101,7 +138,8 @@ TierRecord fem_record(const FemProblem& problem, const RunControl& control) {
                                        .cells = reference.result.cells,
                                        .vertices = reference.result.vertices,
                                        .smallest_step = reference.result.smallest_step},
-                    .scalars = {}};
+                    .scalars = {},
+                    .fem_seconds = tier.seconds()};
   const auto at = scalars_of(reference.result);
   for (const ScalarError& error : reference.errors) {
     const auto found = at.find(error.key);

@@ -33,6 +33,7 @@ struct TierRecord {
   std::string input_sha256;  ///< of the effective configuration
   Discretisation discretisation;
   std::map<std::string, RecordedScalar> scalars;
+  double fem_seconds = 0.0;  ///< processor time of its FE runs; no part of a baseline
 };
 
 /// Runs a case in its tiers at its speeds.

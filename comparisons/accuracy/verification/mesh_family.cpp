@@ -1,7 +1,6 @@
 #include "comparisons/accuracy/verification/mesh_family.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "comparisons/accuracy/verification/known_impact.hpp"
 #include "comparisons/accuracy/verification/targets.hpp"
+#include "comparisons/models/parallel/processor_time.hpp"
 #include "lumped/problem/error.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
 
@@ -45,13 +45,6 @@ class RunningMean {
   std::vector<double> integral_;
 };
 
-/// Not the clock on the wall: what else the machine does is no cost of the impact.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double order_between(double coarse, double medium, double fine) {
   return std::log2(std::abs((coarse - medium) / (medium - fine)));
 }
@@ -77,11 +70,11 @@ std::vector<FamilyImpact> run_mesh_family(const FemTier& tier, const RunControl&
   std::vector<FamilyImpact> family;
   for (int cells = 250; cells <= 16000; cells *= 2) {
     const Mesh mesh = generate_sphere_mesh({.radius = targets::ball_radius, .cells = cells});
-    const double begin = thread_seconds();
+    const double begin = thread_time();
     FemResult result =
         complete_impact(tier, problem, mesh, control, fmt::format("{} cells", cells));
     family.push_back(
-        {.result = std::move(result), .processor_seconds = thread_seconds() - begin, .ripple = {}});
+        {.result = std::move(result), .processor_seconds = thread_time() - begin, .ripple = {}});
   }
   for (std::size_t i = 0; i + 2 < family.size(); ++i)
     family[i].ripple = ripple_between(family[i].result, family[i + 2].result);

@@ -77,7 +77,8 @@ TableField field(const std::string& name, Part TrialRecord::*part, Value Part::*
               record.*part.*member = text;
             else
               record.*part.*member = number_of<Value>(text);
-          }};
+          },
+          !std::is_same_v<Value, std::string>};
 }
 
 template <class Part>
@@ -183,6 +184,12 @@ void append_outcome(std::vector<TableField>& fields) {
 std::vector<TableField> table_fields() {
   std::vector<TableField> fields;
   append_truth(fields);
+  append_outcome(fields);
+  return fields;
+}
+
+std::vector<TableField> outcome_fields() {
+  std::vector<TableField> fields;
   append_outcome(fields);
   return fields;
 }

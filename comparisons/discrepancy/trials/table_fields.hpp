@@ -22,9 +22,12 @@ struct TableField {
   std::string name;
   std::function<std::string(const TrialRecord&)> write;
   std::function<void(const std::string&, TrialRecord&)> read;
+  bool is_number = false;
 };
 
 /// All of them, in their order: truth, then outcome, then controls.
 std::vector<TableField> table_fields();
+/// Those of outcome and controls alone.
+std::vector<TableField> outcome_fields();
 
 }  // namespace rebound

@@ -45,20 +45,4 @@ TrialAnswer answer_of_set(const std::vector<std::string>& names, const std::stri
   return answer;
 }
 
-Json to_json(const TrialAnswer& answer) {
-  return {{"verdict", answer.verdict},
-          {"family", answer.family},
-          {"candidates", answer.candidates},
-          {"named", answer.named},
-          {"nearest", answer.nearest}};
-}
-
-TrialAnswer trial_answer_from(const Json& json) {
-  return {.verdict = json.at("verdict"),
-          .family = json.at("family"),
-          .candidates = json.at("candidates"),
-          .named = json.at("named"),
-          .nearest = json.at("nearest")};
-}
-
 }  // namespace rebound

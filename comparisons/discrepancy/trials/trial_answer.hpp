@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/io/results/json.hpp"
-
 namespace rebound {
 
 /// What was said of one trial, by the diagnosis or by a control beside it, and nothing of what was
@@ -36,9 +34,5 @@ bool name_is_said(const TrialAnswer& answer, const std::string& name);
 /// faults of the measurement alone, "family" for a free form alone, else "missing".
 /// Errors: Error(bad_input) for a name that is not in the list of effects.
 TrialAnswer answer_of_set(const std::vector<std::string>& names, const std::string& family);
-
-Json to_json(const TrialAnswer& answer);
-/// Errors: Json::exception for what is not such an object.
-TrialAnswer trial_answer_from(const Json& json);
 
 }  // namespace rebound

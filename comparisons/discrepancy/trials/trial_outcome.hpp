@@ -25,8 +25,4 @@ struct TrialOutcome {
   std::string protocol;                         ///< digest of what the outcome was made with
 };
 
-Json to_json(const TrialOutcome& outcome);
-/// Errors: Error(corrupt_store) for what is not such a text; `file` is named in it.
-TrialOutcome trial_outcome_from(const std::string& text, const std::string& file);
-
 }  // namespace rebound

@@ -2,26 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "comparisons/io/results/digest.hpp"
 #include "comparisons/io/results/provenance.hpp"
-#include "lumped/problem/atomic_file.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
 
 constexpr std::size_t digest_digits = 12;
-
-std::string bytes_of(const std::filesystem::path& file, ExitCode failure) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) throw Error(failure, "cannot be read", {.file = file.string()});
-  return bytes.str();
-}
 
 Json rules_json(const SelectionRules& rules) {
   // By all members at once: a threshold that is added there does not compile here without its name.
@@ -34,15 +21,11 @@ Json rules_json(const SelectionRules& rules) {
           {"bootstrap_draws", draws},     {"least_inclusion", inclusion}};
 }
 
-std::filesystem::path file_of(const std::filesystem::path& outcomes, const std::string& digest) {
-  return outcomes / fmt::format("protocol-{}.json", digest);
-}
-
 }  // namespace
 
 TrialProtocol protocol_of_this_program(std::uint64_t seed) {
   return {.version = to_json(Provenance{}).at("version"),
-          .program_sha256 = sha256(bytes_of("/proc/self/exe", ExitCode::input_output_failed)),
+          .program_sha256 = sha256(bytes_of("/proc/self/exe")),
           .rules = {},
           .seed = seed};
 }
@@ -59,21 +42,6 @@ Json to_json(const TrialProtocol& protocol) {
 
 std::string protocol_digest(const Json& protocol) {
   return sha256(dump(protocol)).substr(0, digest_digits);
-}
-
-void write_protocol(const std::filesystem::path& outcomes, const Json& protocol) {
-  write_file_atomically(file_of(outcomes, protocol_digest(protocol)), dump(protocol));
-}
-
-Json read_protocol(const std::filesystem::path& outcomes, const std::string& digest) {
-  const auto file = file_of(outcomes, digest);
-  const ErrorLocation location{.file = file.string(),
-                               .allowed = "the protocol that the outcomes beside it name"};
-  const std::string text = bytes_of(file, ExitCode::corrupt_store);
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded() || protocol_digest(json) != digest)
-    throw Error(ExitCode::corrupt_store, "is not the protocol of this digest", location);
-  return json;
 }
 
 std::string describe_protocol(const Json& protocol) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 
@@ -29,11 +28,6 @@ Json to_json(const TrialProtocol& protocol);
 /// Protocols by their digest: the first twelve digits of SHA-256 over the text of the JSON.
 using TrialProtocols = std::map<std::string, Json>;
 std::string protocol_digest(const Json& protocol);
-
-/// Keeps a protocol in a folder of outcomes, as protocol-DIGEST.json.
-void write_protocol(const std::filesystem::path& outcomes, const Json& protocol);
-/// Errors: Error(corrupt_store) where it is not there, or not of that digest.
-Json read_protocol(const std::filesystem::path& outcomes, const std::string& digest);
 
 /// In one line: version and digests.
 std::string describe_protocol(const Json& protocol);

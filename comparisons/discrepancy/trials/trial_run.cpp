@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fstream>
+#include <memory>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
 #include "comparisons/discrepancy/trials/trial_controls.hpp"
+#include "comparisons/discrepancy/trials/trial_store.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
+#include "comparisons/io/results/digest.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/atomic_file.hpp"
 #include "lumped/problem/error.hpp"
@@ -20,33 +21,22 @@
 namespace rebound {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// One trial of a run.
 struct TrialPlace {
   const TrialFolder* folder;
+  TrialStore* store;
+  std::filesystem::path data;
   int number;
-
-  std::filesystem::path data() const {
-    return folder->data / "trials" / fmt::format("{:04}", number);
-  }
-  std::filesystem::path outcome() const {
-    return folder->outcomes / fmt::format("{:04}.json", number);
-  }
-  bool has_outcome() const { return std::filesystem::exists(outcome()); }
+  std::string digest;
 };
 
-std::vector<TrialPlace> places_of(const TrialFolder& folder) {
+std::vector<TrialPlace> places_of(const TrialFolder& folder, TrialStore& store) {
   std::vector<TrialPlace> places;
   if (std::filesystem::is_directory(folder.data / "trials"))
     for (const auto& entry : std::filesystem::directory_iterator(folder.data / "trials"))
       if (entry.is_directory())
-        places.push_back({&folder, std::atoi(entry.path().filename().c_str())});
+        places.push_back({&folder, &store, entry.path(), std::atoi(entry.path().filename().c_str()),
+                          digest_of_trial(entry.path())});
   if (places.empty())
     throw Error(ExitCode::bad_input, "holds no trials",
                 {.file = folder.data.string(), .allowed = "a folder that trial_generator wrote"});
@@ -106,13 +96,13 @@ TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protoc
   outcome.protocol = protocol_digest(to_json(protocol));
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   try {
-    const DiagnosisRequest request = request_of(place.data(), protocol);
+    const DiagnosisRequest request = request_of(place.data, protocol);
     describe_data(request.datasets.front(), outcome);
     const Diagnosis diagnosis = diagnose(request, {.interrupted = control.interrupted});
     outcome.seconds = seconds();
     describe_verdict(diagnosis, outcome);
     outcome.controls =
-        answers_of_controls(diagnosis, protocol.seed, text_of(place.data() / "dataset.toml"));
+        answers_of_controls(diagnosis, protocol.seed, bytes_of(place.data / "dataset.toml"));
   } catch (const Error& error) {
     if (error.code() == ExitCode::interrupted) throw interruption();
     outcome.failure = error.what();
@@ -126,20 +116,6 @@ TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protoc
   return outcome;
 }
 
-/// Protocols of the outcomes that stand; that of this program where there are more to come.
-TrialProtocols protocols_of(const std::vector<TrialPlace>& done, bool more,
-                            const Json& of_this_program) {
-  TrialProtocols protocols;
-  for (const TrialPlace& place : done) {
-    const auto file = place.outcome();
-    const std::string digest = trial_outcome_from(text_of(file), file.string()).protocol;
-    if (!protocols.contains(digest))
-      protocols[digest] = read_protocol(place.folder->outcomes, digest);
-  }
-  if (more) protocols[protocol_digest(of_this_program)] = of_this_program;
-  return protocols;
-}
-
 void refuse_mixed(const TrialProtocols& protocols, const TrialRun& run) {
   if (protocols.size() < 2 || run.mixed) return;
   std::string list;
@@ -151,53 +127,81 @@ void refuse_mixed(const TrialProtocols& protocols, const TrialRun& run) {
                .allowed = "outcomes of one program and its thresholds, or --mixed"});
 }
 
-void split(const TrialRun& run, std::vector<TrialPlace>& done, std::vector<TrialPlace>& pending) {
-  for (const TrialFolder& folder : run.folders)
-    for (const TrialPlace& place : places_of(folder))
-      (place.has_outcome() ? done : pending).push_back(place);
-}
+/// A trial that has its outcome.
+struct DoneTrial {
+  TrialPlace place;
+  TrialOutcome outcome;
+};
+
+/// Trials of all folders with the outcomes that stand.
+class TrialPlaces {
+ public:
+  explicit TrialPlaces(const TrialRun& run) {
+    for (const TrialFolder& folder : run.folders) {
+      TrialStore& store =
+          *stores_.emplace_back(std::make_unique<TrialStore>(folder.outcomes)).get();
+      for (TrialPlace& place : places_of(folder, store)) add(std::move(place));
+    }
+  }
+
+  std::vector<DoneTrial> done;
+  std::vector<TrialPlace> pending;
+  TrialProtocols protocols;  ///< of what is done
+
+ private:
+  void add(TrialPlace place) {
+    std::optional<TrialOutcome> outcome = place.store->find(place.digest);
+    if (!outcome) {
+      pending.push_back(std::move(place));
+      return;
+    }
+    outcome->trial = place.number;
+    protocols[outcome->protocol] = place.store->protocols().at(outcome->protocol);
+    done.push_back({std::move(place), std::move(*outcome)});
+  }
+
+  std::vector<std::unique_ptr<TrialStore>> stores_;
+};
 
 }  // namespace
 
 TrialProgress run_trials(const TrialRun& run, const RunControl& control) {
-  std::vector<TrialPlace> done, pending;
-  split(run, done, pending);
-  const std::size_t trials = done.size() + pending.size();
+  TrialPlaces places(run);
+  std::vector<TrialPlace>& pending = places.pending;
+  const std::size_t trials = places.done.size() + pending.size();
   if (run.most && *run.most < pending.size())
     pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(*run.most), pending.end());
   const TrialProtocol protocol = protocol_of_this_program(run.seed);
-  refuse_mixed(protocols_of(done, !pending.empty(), to_json(protocol)), run);
-  for (const TrialFolder& folder : run.folders) {
-    make_writable_folder(folder.outcomes);
-    if (std::any_of(pending.begin(), pending.end(),
-                    [&](const TrialPlace& place) { return place.folder == &folder; }))
-      write_protocol(folder.outcomes, to_json(protocol));
-  }
+  if (!pending.empty()) places.protocols[protocol_digest(to_json(protocol))] = to_json(protocol);
+  refuse_mixed(places.protocols, run);
+  std::set<TrialStore*> written;
+  for (const TrialPlace& place : pending) written.insert(place.store);
+  for (const TrialFolder& folder : run.folders) make_writable_folder(folder.outcomes);
+  for (TrialStore* store : written) store->write(to_json(protocol));
   std::atomic<std::size_t> diagnosed = 0;
   in_parallel(pending.size(), [&](std::size_t i) {
     if (control.interrupted && control.interrupted()) throw interruption();
-    write_file_atomically(pending[i].outcome(),
-                          dump(to_json(diagnose_trial(pending[i], protocol, control))));
+    pending[i].store->keep(pending[i].digest, diagnose_trial(pending[i], protocol, control));
     ++diagnosed;
     if (control.progress)
       control.progress(static_cast<double>(diagnosed) / static_cast<double>(pending.size()));
   });
-  return {.with_outcome = done.size() + diagnosed, .trials = trials};
+  return {.with_outcome = places.done.size() + diagnosed, .trials = trials};
 }
 
 TrialCollection open_trials(const TrialRun& run) {
-  std::vector<TrialPlace> done, pending;
-  split(run, done, pending);
-  if (!pending.empty())
+  TrialPlaces places(run);
+  if (!places.pending.empty())
     throw Error(ExitCode::bad_input, "a trial has no outcome yet; no truth is opened",
-                {.file = pending.front().outcome().string()});
-  TrialCollection all{.records = {}, .protocols = protocols_of(done, false, {})};
-  refuse_mixed(all.protocols, run);
+                {.file = places.pending.front().data.string()});
+  refuse_mixed(places.protocols, run);
+  TrialCollection all{.records = {}, .protocols = std::move(places.protocols)};
   std::set<std::tuple<std::string, std::uint64_t, int>> known;
+  auto next = places.done.begin();
   for (const TrialFolder& folder : run.folders) {
     std::vector<TrialOutcome> outcomes;
-    for (const TrialPlace& place : places_of(folder))
-      outcomes.push_back(trial_outcome_from(text_of(place.outcome()), place.outcome().string()));
+    for (; next != places.done.end() && next->place.folder == &folder; ++next)
+      outcomes.push_back(std::move(next->outcome));
     for (TrialRecord& record : records_of(outcomes, read_truths(folder.data))) {
       const TrialTruth& truth = record.truth;
       if (!known.emplace(truth.set, truth.seed, truth.trial).second)

@@ -27,7 +27,7 @@ struct TrialCollection {
 /// Trials as the generator wrote them, and where their outcomes stand.
 struct TrialFolder {
   std::filesystem::path data;
-  std::filesystem::path outcomes;  ///< one file a trial, and their protocol
+  std::filesystem::path outcomes;  ///< folder of their stores
 };
 
 struct TrialRun {
@@ -44,13 +44,13 @@ struct TrialProgress {
   bool complete() const { return with_outcome == trials; }
 };
 
-/// Diagnoses trials that have no outcome yet, several side by side, and keeps each outcome as a
-/// file. No truth is opened.
+/// Diagnoses trials that have no outcome yet, several side by side, and keeps each outcome in a
+/// store (TrialStore). No truth is opened.
 ///
 /// Progress is that of the trials which this run diagnoses.
 /// Errors: Error(bad_input) for a folder without trials, or, before the first diagnosis, where
-///         outcomes would be of more than one protocol; Error(corrupt_store) for an outcome that
-///         cannot be read; Error(interrupted), with what is complete kept.
+///         outcomes would be of more than one protocol; Error(corrupt_store) for a store that is
+///         damaged or of another version; Error(interrupted), with what is complete kept.
 TrialProgress run_trials(const TrialRun& run, const RunControl& control = {});
 
 /// Opens the truths of a complete run.

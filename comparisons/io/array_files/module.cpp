@@ -52,6 +52,12 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
+// The longest array takes 80 MB, several times over: on its way it is copied.
+constexpr double memory_of_arrays = 4e8;  ///< [B]
+// A few bytes can ask libmatio for more than there is time for.
+constexpr double shortest_time = 10.0;   ///< of processor time [s]
+constexpr double slowest_reading = 1e6;  ///< [B/s]; whole files take a tenth of this time
+
 /// In a process of its own; an error that names no file gets this one.
 std::string apart(const std::string& file, const std::function<std::string()>& work) {
   Isolation limits{.program = "the reader of the file"};
@@ -60,7 +66,8 @@ std::string apart(const std::string& file, const std::function<std::string()>& w
   if (status)
     throw Error(ExitCode::input_output_failed, "cannot be read: " + status.message(),
                 {.file = file});
-  limits.memory += 20.0 * static_cast<double>(size);
+  limits.memory = memory_of_arrays + 20.0 * static_cast<double>(size);
+  limits.seconds = shortest_time + static_cast<double>(size) / slowest_reading;
   try {
     return isolated(work, limits, {});
   } catch (const Error& error) {

@@ -68,20 +68,25 @@ std::filesystem::path checked(const std::filesystem::path& file, ResultStore::Ac
 }  // namespace
 
 struct ResultStore::Connection {
-  Connection(const std::filesystem::path& file, Access access, const std::string& program)
-      : database(checked(file, access, program),
+  /// `wanted`: nothing, where any program will do.
+  Connection(const std::filesystem::path& file, Access access,
+             const std::optional<std::string>& wanted)
+      : database(checked(file, access, wanted.value_or("")),
                  access == Access::write ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY) {
     Statement check(database, "PRAGMA quick_check(1)");
     if (!check.step() || check.text(0) != "ok")
       refuse_store(file, "the store is damaged: " + check.text(0));
     Statement about(database, "SELECT value FROM about WHERE name = 'program'");
-    const std::string found = about.step() ? about.text(0) : "";
-    if (found != program)
+    program = about.step() ? about.text(0) : "";
+    if (wanted && program != *wanted)
       refuse_store(
-          file, fmt::format("the store was written by another version, {}", found),
+          file, fmt::format("the store was written by another version, {}", program),
           fmt::format("{}; run with another --out, or read it with the program of its results",
-                      program));
-    if (access == Access::write) database.execute("PRAGMA synchronous=NORMAL");
+                      *wanted));
+    // Keys are random: a commit changes as many pages as it has members. In a log of up to 64 MB
+    // most of them are changed again before they are copied to the file.
+    if (access == Access::write)
+      database.execute("PRAGMA synchronous=NORMAL; PRAGMA wal_autocheckpoint=16000");
     select.emplace(database, ("SELECT failure, checksum, named, trace" + scalar_columns() +
                               " FROM member WHERE key = ?")
                                  .c_str());
@@ -112,6 +117,7 @@ struct ResultStore::Connection {
   }
 
   Sqlite database;
+  std::string program;
   std::optional<Statement> select, select_values;
   std::optional<Statement> insert, insert_value;  ///< once there is something to keep
 };
@@ -119,11 +125,17 @@ struct ResultStore::Connection {
 ResultStore::ResultStore(const std::filesystem::path& file, Access access,
                          const std::string& program)
     : connection_(std::make_unique<Connection>(file, access, program)) {}
+ResultStore::ResultStore(const std::filesystem::path& file)
+    : connection_(std::make_unique<Connection>(file, Access::read, std::nullopt)) {}
 ResultStore::~ResultStore() = default;
 ResultStore::ResultStore(ResultStore&&) noexcept = default;
 
 const std::filesystem::path& ResultStore::file() const {
   return connection_->database.file();
+}
+
+const std::string& ResultStore::program() const {
+  return connection_->program;
 }
 
 std::optional<MemberResult> ResultStore::find(const std::string& key) {
@@ -146,14 +158,34 @@ std::optional<MemberResult> ResultStore::find(const std::string& key) {
   return result;
 }
 
+void ResultStore::find_each(const std::vector<std::string>& keys,
+                            const std::function<void(std::size_t, MemberResult)>& found) {
+  connection_->database.execute("BEGIN");
+  try {
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      if (auto member = find(keys[i])) found(i, *std::move(member));
+  } catch (...) {
+    sqlite3_exec(connection_->database.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+  connection_->database.execute("COMMIT");
+}
+
 void ResultStore::keep(const std::vector<KeptMember>& members) {
   if (members.empty()) return;
   Sqlite& database = connection_->database;
   connection_->prepare_to_keep();
   Statement& insert = *connection_->insert;
+  // In the order of the table, neighbours go into one page one after the other.
+  std::vector<const KeptMember*> sorted;
+  sorted.reserve(members.size());
+  for (const KeptMember& member : members) sorted.push_back(&member);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const KeptMember* a, const KeptMember* b) { return a->key < b->key; });
   database.execute("BEGIN IMMEDIATE");
   try {
-    for (const KeptMember& member : members) {
+    for (const KeptMember* one : sorted) {
+      const KeptMember& member = *one;
       int place = 1;
       insert.bind(place++, member.key);
       for (const double value : member.result.scalars) insert.bind(place++, value);

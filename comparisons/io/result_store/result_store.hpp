@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,8 +18,8 @@ struct KeptMember {
   MemberResult result;
 };
 
-/// Results of members (of a campaign, of the atlas) in one SQLite file, by their keys; write-ahead
-/// log, so that a process that is killed loses nothing that was kept -> test
+/// Results of members (of a campaign, of the atlas, of trials) in one SQLite file, by their keys;
+/// write-ahead log, so that a process that is killed loses nothing that was kept -> test
 /// CampaignCommand.KilledAtAnyTimeItGoesOnToTheSameBits. Two processes may write to one file: each
 /// waits for the other.
 ///
@@ -38,10 +39,15 @@ class ResultStore {
 
   /// Opens a store; to write, it is made where it is not there, whole or not at all.
   ResultStore(const std::filesystem::path& file, Access access, const std::string& program);
+  /// Opens a store to read it, whatever program it is of.
+  explicit ResultStore(const std::filesystem::path& file);
   ~ResultStore();
   ResultStore(ResultStore&&) noexcept;
 
   std::optional<MemberResult> find(const std::string& key);
+  /// Many finds in one transaction, which locks the file once. Nothing is kept meanwhile.
+  void find_each(const std::vector<std::string>& keys,
+                 const std::function<void(std::size_t, MemberResult)>& found);
   /// In one transaction: all are kept, or none. Those that are there already stay.
   void keep(const std::vector<KeptMember>& members);
 
@@ -50,6 +56,7 @@ class ResultStore {
   std::vector<CampaignText> campaigns();
 
   const std::filesystem::path& file() const;
+  const std::string& program() const;  ///< that its results are of
 
  private:
   struct Connection;

@@ -34,7 +34,7 @@ bool follows(const ParameterCard& card, const std::string& other, const LawCard&
 /// Is the unit of a parameter unknown, since what sets it was refused?
 bool hangs_on_refused(Visitor& visit, const LawCard& law, const ParameterCard& card) {
   return std::any_of(law.parameters.begin(), law.parameters.end(), [&](const ParameterCard& one) {
-    return follows(card, one.name, law) && visit.refused(one.name);
+    return visit.refused(one.name) && follows(card, one.name, law);
   });
 }
 

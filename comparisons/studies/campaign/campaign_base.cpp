@@ -135,9 +135,10 @@ std::unique_ptr<Campaign::Member> ImpactBase<File>::member(const Campaign& campa
   made->base = this;
   made->varied = file;
   made->keep = campaign.keeps_traces() ? Keep::trace : Keep::scalars;
-  set_numbers(made->varied, campaign.design().factors, values);
-  made->key = key_of(campaign, mesh_digest + (campaign.keeps_traces() ? "\ntraces\n" : "\n") +
-                                   content_bytes(made->varied));
+  const std::string content =
+      content_bytes(made->varied, setting(campaign.design().factors, values));
+  made->key =
+      key_of(campaign, mesh_digest + (campaign.keeps_traces() ? "\ntraces\n" : "\n") + content);
   made->values = std::move(values);
   return made;
 }

@@ -48,14 +48,20 @@ std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const st
 /// Of all files in a folder, their names and bytes: SHA-256. Errors: Error(input_output_failed).
 std::string digest_of_folder(const std::filesystem::path& folder);
 
+/// Gives those numbers whose paths are `factors` their values. Both must outlive it.
+inline EachNumber::Look setting(const std::vector<CampaignFactor>& factors,
+                                const std::vector<double>& values) {
+  return [&](const std::string& path, const Key&, double& value) {
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      if (factors[i].key == path) value = values[i];
+  };
+}
+
 /// Sets those numbers of `file` whose paths are `factors`, below `path`.
 template <class File>
 void set_numbers(File& file, const std::vector<CampaignFactor>& factors,
                  const std::vector<double>& values, const std::string& below = {}) {
-  const EachNumber::Look look = [&](const std::string& path, const Key&, double& value) {
-    for (std::size_t i = 0; i < factors.size(); ++i)
-      if (factors[i].key == path) value = values[i];
-  };
+  const EachNumber::Look look = setting(factors, values);
   EachNumber visitor(look, below);
   describe(static_cast<Visitor&>(visitor), file);
 }

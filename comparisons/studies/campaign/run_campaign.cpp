@@ -1,7 +1,6 @@
 #include "comparisons/studies/campaign/run_campaign.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +8,7 @@
 
 #include "comparisons/io/result_store/result_store.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
+#include "comparisons/models/parallel/processor_time.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -20,14 +20,6 @@ constexpr std::size_t block = 4096;  ///< members that are looked up and run tog
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Processor time of this thread, or of the whole process [s]: what a busy machine does not
-/// lengthen.
-double processor_time(clockid_t clock) {
-  timespec now{};
-  ::clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 std::string division(const Shard& shard) {
@@ -115,13 +107,13 @@ void run_members(const Campaign& campaign, const CampaignMembers& members, Keepe
     in_parallel(members.size(), [&](std::size_t i) {
       if (stopped()) throw Error(ExitCode::interrupted, "interrupted");
       const auto start = Clock::now();
-      const double processor = processor_time(CLOCK_THREAD_CPUTIME_ID);
+      const double processor = thread_time();
       MemberResult result = members[i]->run(control);
       const double seconds = seconds_since(start);
       keeper.add({.key = members[i]->key,
                   .factors = factors_json(campaign, members[i]->values),
                   .result = std::move(result)},
-                 seconds, processor_time(CLOCK_THREAD_CPUTIME_ID) - processor);
+                 seconds, thread_time() - processor);
     });
   } catch (const Error& error) {
     if (error.code() != ExitCode::input_output_failed) keeper.keep_all();
@@ -131,17 +123,19 @@ void run_members(const Campaign& campaign, const CampaignMembers& members, Keepe
 }
 
 /// Takes those whose results are known out of `members`.
-void find_known(CampaignMembers& members, std::vector<ResultStore*> stores,
+void find_known(CampaignMembers& members, const std::vector<ResultStore*>& stores,
                 CampaignProgress& progress) {
-  std::erase_if(members, [&](const std::unique_ptr<Campaign::Member>& member) {
-    for (ResultStore* store : stores)
-      if (const auto result = store->find(member->key)) {
-        ++progress.found;
-        if (!result->failure.empty()) ++progress.failed;
-        return true;
-      }
-    return false;
-  });
+  for (ResultStore* store : stores) {
+    std::vector<std::string> keys;
+    keys.reserve(members.size());
+    for (const auto& member : members) keys.push_back(member->key);
+    store->find_each(keys, [&](std::size_t i, const MemberResult& result) {
+      ++progress.found;
+      if (!result.failure.empty()) ++progress.failed;
+      members[i].reset();
+    });
+    std::erase(members, nullptr);
+  }
 }
 
 }  // namespace
@@ -169,7 +163,7 @@ Json to_json(const CampaignProgress& progress) {
 CampaignProgress run_campaign(const Campaign& campaign, const std::filesystem::path& store,
                               const Shard& shard, const RunControl& control) {
   const auto start = Clock::now();
-  const double processor = processor_time(CLOCK_PROCESS_CPUTIME_ID);
+  const double processor = process_time();
   CampaignProgress progress;
   progress.threads = worker_threads();
   progress.file = shard_file(store, shard);
@@ -200,7 +194,7 @@ CampaignProgress run_campaign(const Campaign& campaign, const std::filesystem::p
   progress.impact_seconds = keeper.impact_seconds();
   progress.impact_processor_seconds = keeper.impact_processor();
   progress.elapsed_seconds = seconds_since(start);
-  progress.processor_seconds = processor_time(CLOCK_PROCESS_CPUTIME_ID) - processor;
+  progress.processor_seconds = process_time() - processor;
   return progress;
 }
 

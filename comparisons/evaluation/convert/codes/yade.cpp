@@ -47,7 +47,7 @@ OtherCode yade_code() {
           .source = "Yade, pkg/dem/HertzMindlin.cpp and Ig2_Facet_Sphere_ScGeom.cpp",
           .cautions = {"Yade takes a wall for a sphere of the same radius, so its effective radius "
                        "is R/2; young makes up for that and holds for this ball on a wall alone",
-                       "it cuts the tension: en below is what has to be asked for"},
+                       "it cuts the tension: en is what has to be asked for"},
           .stepping = {},
           .settings = yade_settings,
           .lines = yade_lines};

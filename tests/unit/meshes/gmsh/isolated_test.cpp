@@ -56,6 +56,21 @@ TEST(IsolatedTest, ACrashAnEndAndTooMuchMemoryAreErrors) {
             std::string::npos);
 }
 
+TEST(IsolatedTest, EndlessWorkIsAnError) {
+  const Error error = refusal_of([] {
+    isolated(
+        [] {
+          for (volatile int turns = 0;; turns = turns + 1) {
+          }
+          return std::string();
+        },
+        {.seconds = 0.5}, {});
+  });
+  EXPECT_EQ(error.code(), ExitCode::bad_input);
+  EXPECT_NE(std::string(error.what()).find("more than 1 s of processor time"), std::string::npos)
+      << error.what();
+}
+
 TEST(IsolatedTest, WritesNoFileAndPrintsNothing) {
   const testing::TemporaryFolder folder;
   const auto file = folder.path() / "made";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "comparisons/accuracy/numerical_error/coverage_store.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -33,6 +34,34 @@ TEST(CoverageTest, LinesComeBack) {
   EXPECT_DOUBLE_EQ(rows[0].values.ripple, 2e-4);
   std::ofstream(folder.path() / "t.csv", std::ios::app) << "3,0.1,broken\n";
   EXPECT_THROW(read_coverage(folder.path() / "t.csv"), Error);
+}
+
+TEST(CoverageStoreTest, AFamilyComesBackWithEveryBit) {
+  CoverageRow one = row(FamilyUse::bars, 250, {1.0 / 3.0, 0.91, 0.912, 0.9101, 1e-4, 0.0});
+  CoverageRow other = one;
+  other.quantity = "peak_force_N";
+  other.values.ripple = 5e-324;
+  const auto rows = rows_of(member_of({one, other}), row(FamilyUse::bars, 250, {}));
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].quantity, "peak_force_N");
+  EXPECT_EQ(rows[0].values.coarse, 1.0 / 3.0);
+  EXPECT_EQ(rows[1].values.ripple, 5e-324);
+  EXPECT_EQ(rows[1].point, one.point);
+  MemberResult cut = member_of({one});
+  cut.values.pop_back();
+  EXPECT_THROW(rows_of(cut, one), Error);
+}
+
+TEST(CoverageStoreTest, AnotherImpactUseProgramOrMeshIsAnotherFamily) {
+  FemProblem problem;
+  problem.impact.speed = 3.0;
+  const std::string key = key_of_family("p", problem, FamilyUse::bars, 250);
+  EXPECT_EQ(key, key_of_family("p", problem, FamilyUse::bars, 250));
+  EXPECT_NE(key, key_of_family("q", problem, FamilyUse::bars, 250));
+  EXPECT_NE(key, key_of_family("p", problem, FamilyUse::truth, 250));
+  EXPECT_NE(key, key_of_family("p", problem, FamilyUse::bars, 251));
+  problem.impact.speed = std::nextafter(3.0, 4.0);
+  EXPECT_NE(key, key_of_family("p", problem, FamilyUse::bars, 250));
 }
 
 // fine + (fine − middle)/(2^1.5 − 1): exact for errors that fall with the power 1.5.

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lumped/problem/atomic_file.hpp"
+#include "comparisons/discrepancy/trials/trial_store.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/comparisons/discrepancy/trials/trial_examples.hpp"
@@ -33,17 +33,12 @@ TEST(TrialProtocolTest, EveryThresholdIsAnotherProtocol) {
   EXPECT_NE(frozen, protocol_digest(protocol_with({}, 2)));
 }
 
-TEST(TrialProtocolTest, AProtocolThatWasChangedIsRefused) {
-  const testing::TemporaryFolder folder;
-  const Json protocol = protocol_with({});
-  const std::string digest = protocol_digest(protocol);
-  write_protocol(folder.path(), protocol);
-  EXPECT_EQ(read_protocol(folder.path(), digest), protocol);
-  folder.write("protocol-" + digest + ".json", dump(protocol_with({.close_criterion = 7.0})));
-  EXPECT_EQ(testing::refusal_of([&] { read_protocol(folder.path(), digest); }).code(),
-            ExitCode::corrupt_store);
-  EXPECT_EQ(testing::refusal_of([&] { read_protocol(folder.path(), "0123456789ab"); }).code(),
-            ExitCode::corrupt_store);
+/// A trial without an outcome.
+std::filesystem::path add_trial(const testing::TemporaryFolder& folder, int number) {
+  const std::string name = "trials/000" + std::to_string(number);
+  std::filesystem::create_directories(folder.path() / name);
+  folder.write(name + "/data.csv", name);
+  return folder.path() / name;
 }
 
 /// A folder in which trials have their outcomes, each with a protocol of its own.
@@ -52,12 +47,12 @@ TrialRun trials_with(const testing::TemporaryFolder& folder, const std::vector<J
   std::filesystem::create_directories(outcomes);
   int number = 0;
   for (const Json& protocol : protocols) {
-    const std::string name = "000" + std::to_string(++number);
-    std::filesystem::create_directories(folder.path() / "trials" / name);
+    const auto trial = add_trial(folder, ++number);
     TrialOutcome outcome = testing::said(number, "agrees");
     outcome.protocol = protocol_digest(protocol);
-    write_file_atomically(outcomes / (name + ".json"), dump(to_json(outcome)));
-    write_protocol(outcomes, protocol);
+    TrialStore store(outcomes);
+    store.write(protocol);
+    store.keep(digest_of_trial(trial), outcome);
   }
   return {.folders = {{.data = folder.path(), .outcomes = outcomes}}};
 }
@@ -76,16 +71,16 @@ TEST(TrialProtocolTest, OutcomesOfAnotherProgramAreScoredButNotAddedTo) {
   const testing::TemporaryFolder folder;
   const TrialRun run = trials_with(folder, {protocol_with({.close_criterion = 7.0})});
   EXPECT_TRUE(run_trials(run).complete()) << "nothing is left to be diagnosed";
-  std::filesystem::create_directories(folder.path() / "trials" / "0002");
+  add_trial(folder, 2);
   EXPECT_EQ(testing::refusal_of([&] { run_trials(run); }).code(), ExitCode::bad_input);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "outcomes" / "0002.json"))
+  EXPECT_EQ(TrialStore(folder.path() / "outcomes").protocols().size(), 1u)
       << "refused before the first diagnosis";
 }
 
 TEST(TrialRunTest, NoTruthIsOpenedBeforeTheLastOutcome) {
   const testing::TemporaryFolder folder;
   TrialRun run = trials_with(folder, {protocol_with({})});
-  std::filesystem::create_directories(folder.path() / "trials" / "0002");
+  add_trial(folder, 2);
   run.most = 0;
   const TrialProgress progress = run_trials(run);
   EXPECT_EQ(progress.with_outcome, 1u);

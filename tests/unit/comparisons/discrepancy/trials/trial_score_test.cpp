@@ -162,23 +162,6 @@ TEST(TrialScoreTest, TrialsWithoutTheirTruthsAreRefused) {
       ExitCode::corrupt_store);
 }
 
-TEST(TrialOutcomeTest, ReadsWhatItWrites) {
-  TrialOutcome outcome = said(7, "missing", "rate", "linear-dashpot");
-  outcome.size = 1.5;
-  outcome.size_low = 1.0;
-  outcome.held_out_before = 3.25;
-  outcome.warnings = {"one"};
-  outcome.protocol = "0123456789ab";
-  outcome.controls["random"] = answer_of_set({"relaxation"}, "memory");
-  const TrialOutcome again = trial_outcome_from(dump(to_json(outcome)), "7.json");
-  EXPECT_EQ(dump(to_json(again)), dump(to_json(outcome)));
-  EXPECT_EQ(again.controls.at("random"), outcome.controls.at("random"));
-  outcome.size_high = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(std::isfinite(trial_outcome_from(dump(to_json(outcome)), "7.json").size_high));
-  EXPECT_EQ(testing::refusal_of([] { trial_outcome_from("{}", "7.json"); }).code(),
-            ExitCode::corrupt_store);
-}
-
 TEST(TrialTruthTest, ATruthThatWasChangedIsRefused) {
   const testing::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "truth");

@@ -100,6 +100,34 @@ TEST_F(ResultStoreTest, TwoWritersOfOneFileDoNoHarm) {
   }
 }
 
+TEST_F(ResultStoreTest, ManyAreFoundTogetherAndTheStoreIsWrittenToAfter) {
+  ResultStore store(file, Access::write, "one");
+  store.keep({member(1), member(3)});
+  std::vector<std::size_t> places;
+  const std::vector<std::string> keys{"key3", "key2", "key1"};
+  const auto look = [&](std::size_t i, const MemberResult& result) {
+    places.push_back(i);
+    EXPECT_EQ(result.scalars[0], member(i == 0 ? 3 : 1).result.scalars[0]);
+  };
+  store.find_each(keys, look);
+  EXPECT_EQ(places, (std::vector<std::size_t>{0, 2}));
+  EXPECT_THROW(store.find_each(keys,
+                               [](std::size_t, const MemberResult&) -> void {
+                                 throw std::runtime_error("no more");
+                               }),
+               std::runtime_error);
+  store.keep({member(2)});
+  EXPECT_TRUE(ResultStore(file, Access::read, "one").find("key2")) << "no transaction is left open";
+}
+
+TEST_F(ResultStoreTest, AStoreOfAnyProgramIsReadAndNamed) {
+  { ResultStore(file, Access::write, "one").keep({member(1)}); }
+  ResultStore store(file);
+  EXPECT_EQ(store.program(), "one");
+  EXPECT_TRUE(store.find("key1"));
+  EXPECT_THROW(store.keep({member(2)}), Error);
+}
+
 TEST_F(ResultStoreTest, AnotherProgramsStoreIsRefusedAndLeftAsItIs) {
   ResultStore(file, Access::write, "one").keep({member(1)});
   const std::string before = testing::read_whole(file);

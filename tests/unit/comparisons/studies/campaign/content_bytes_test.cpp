@@ -43,5 +43,30 @@ TEST(ContentBytesTest, EveryChangeIsSeen) {
   EXPECT_TRUE(seen([](auto& f) { f.effects.push_back(f.effects[0]); }));
 }
 
+TEST(ContentBytesTest, NumbersThatAreSetOnTheWayAreThoseThatEachNumberSets) {
+  LumpedImpactFile plain = file();
+  std::vector<std::string> paths;
+  const EachNumber::Look name = [&](const std::string& path, const Key&, double&) {
+    if (path != "schema") paths.push_back(path);  // which no record keeps
+  };
+  EachNumber visitor(name);
+  describe(static_cast<Visitor&>(visitor), plain);
+  EXPECT_GT(paths.size(), 6u);
+  for (const std::string& wanted : paths) {
+    int shown = 0;
+    const EachNumber::Look change = [&](const std::string& path, const Key&, double& value) {
+      if (path != wanted) return;
+      value = 2.0 * value + 3.0;
+      ++shown;
+    };
+    LumpedImpactFile first = file(), together = file();
+    EachNumber setter(change);
+    describe(static_cast<Visitor&>(setter), first);
+    EXPECT_EQ(content_bytes(together, change), content_bytes(first)) << wanted;
+    EXPECT_EQ(content_bytes(together), content_bytes(first)) << wanted;
+    EXPECT_EQ(shown, 2) << wanted;
+  }
+}
+
 }  // namespace
 }  // namespace rebound

@@ -1,0 +1,70 @@
+// The coverage campaign on a store of results: killed, run twice at a time, and continued.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/support/run_program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace rebound::testing {
+namespace {
+
+class CoverageCampaign : public ::testing::Test {
+ protected:
+  Outcome run(const std::string& store, const std::string& table) const {
+    return run_program(
+        {.arguments = {COVERAGE_CAMPAIGN, store, table, "--try"}, .folder = folder.path()});
+  }
+
+  pid_t start(const std::string& store, const std::string& table) const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    if (::chdir(folder.path().c_str()) != 0) ::_exit(126);
+    ::execl(COVERAGE_CAMPAIGN, COVERAGE_CAMPAIGN, store.c_str(), table.c_str(), "--try", nullptr);
+    ::_exit(127);
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CoverageCampaign, KilledAndTwiceAtATimeItGivesTheSameTable) {
+  const Outcome whole = run("whole.sqlite", "whole.csv");
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  EXPECT_NE(whole.output.find("0 found in the store, 3 run, 0 of all failed"), std::string::npos)
+      << whole.output;
+  const std::string table = read_whole(folder.path() / "whole.csv");
+  for (const int wait_ms : {50, 400, 900}) {
+    const pid_t one = start("shared.sqlite", "one.csv"), other = start("shared.sqlite", "two.csv");
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+    for (const pid_t child : {one, other}) {
+      ::kill(child, SIGKILL);
+      ::waitpid(child, nullptr, 0);
+    }
+  }
+  ASSERT_EQ(run("shared.sqlite", "shared.csv").exit_code, 0);
+  EXPECT_EQ(read_whole(folder.path() / "shared.csv"), table);
+  const Outcome again = run("shared.sqlite", "again.csv");
+  EXPECT_NE(again.output.find("3 found in the store, 0 run"), std::string::npos) << again.output;
+  EXPECT_EQ(read_whole(folder.path() / "again.csv"), table);
+  const Outcome known = run("new.sqlite", "again.csv");
+  EXPECT_NE(known.output.find("3 families in the table before, 0 found in the store, 0 run"),
+            std::string::npos)
+      << known.output;
+  EXPECT_EQ(read_whole(folder.path() / "again.csv"), table) << "what a table has is not run again";
+}
+
+TEST_F(CoverageCampaign, ADamagedStoreIsRefusedAndLeftAsItIs) {
+  folder.write("no.sqlite", "SQLite format 3 it is not");
+  const Outcome outcome = run("no.sqlite", "table.csv");
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_NE(outcome.errors.find("no.sqlite"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(read_whole(folder.path() / "no.sqlite"), "SQLite format 3 it is not");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "table.csv"));
+}
+
+}  // namespace
+}  // namespace rebound::testing

@@ -1,0 +1,97 @@
+#include "tests/verification/fem/coverage/plan.hpp"
+
+#include <cmath>
+
+#include "fem/interface/check_problem.hpp"
+#include "fem/interface/engineering_moduli.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr int points = 30;
+
+double halton(int index, int base) {
+  double value = 0.0, digit = 1.0;
+  for (; index > 0; index /= base) {
+    digit /= base;
+    value += digit * (index % base);
+  }
+  return value;
+}
+
+/// Speed evenly in its logarithm; a third of the balls nearly incompressible, a fifth elastic.
+CoveragePoint point_of(int number) {
+  const double speed = halton(number, 2), ratio = halton(number, 3), share = halton(number, 5);
+  return {.speed = 0.0005 * std::pow(400.0, speed),
+          .poisson_ratio =
+              ratio < 0.7 ? 0.45 * ratio / 0.7 : 0.5 - 0.05 * std::pow(0.02, (ratio - 0.7) / 0.3),
+          .branch_share = share < 0.2 ? 0.0 : share - 0.2,
+          .branch_time = 0.05 * std::pow(40.0, halton(number, 7))};
+}
+
+FemProblem problem_of(const CoveragePoint& point) {
+  FemProblem problem;
+  problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
+  problem.material = {.youngs_modulus = 10e6, .poisson_ratio = point.poisson_ratio};
+  const double density = problem.sphere.mass / problem.sphere.volume();
+  problem.impact.speed = point.speed * std::sqrt(10e6 / density);
+  if (point.branch_share > 0.0)
+    problem.material.branches = {
+        {point.branch_share,
+         point.branch_time *
+             fem::expected_contact_time(problem, fem::instantaneous_moduli(problem.material)),
+         Relaxes::all}};
+  return problem;
+}
+
+/// Cells of the coarsest mesh: of the families that are judged, and of the truth.
+struct PlannedCells {
+  std::vector<int> judged = {250, 300, 350, 420, 500, 600, 700};
+  int truth = 2000, nine_node = 0;
+};
+
+PlannedCells cells_of(int number, const CoveragePoint& point) {
+  PlannedCells plan;
+  if (number % 6 == 0) {
+    plan.judged.insert(plan.judged.end(), {1000, 1400});
+    plan.truth = 4000;
+    plan.nine_node = 40;
+  }
+  // The step of a ball that is stiff in volume is several times shorter.
+  if (point.poisson_ratio > 0.47)
+    plan = {.judged = {250, 280, 315, 350, 400, 450, 500}, .truth = 1400};
+  return plan;
+}
+
+void append(std::vector<PlannedFamily>& families, int number, const PlannedCells& cells) {
+  const CoveragePoint point = point_of(number);
+  const FemProblem problem = problem_of(point);
+  const auto add = [&](FamilyUse use, int coarsest) {
+    PlannedFamily& family = families.emplace_back();
+    family.row.number = number;
+    family.row.point = point;
+    family.row.use = use;
+    family.row.cells = coarsest;
+    family.problem = problem;
+  };
+  add(FamilyUse::truth, cells.truth);
+  if (cells.nine_node > 0) add(FamilyUse::nine_node, cells.nine_node);
+  for (const int judged : cells.judged) add(FamilyUse::bars, judged);
+}
+
+}  // namespace
+
+std::vector<PlannedFamily> planned_families() {
+  std::vector<PlannedFamily> families;
+  for (int number = 1; number <= points; ++number)
+    append(families, number, cells_of(number, point_of(number)));
+  return families;
+}
+
+std::vector<PlannedFamily> families_to_try() {
+  std::vector<PlannedFamily> families;
+  append(families, 3, {.judged = {40, 60}, .truth = 80});
+  return families;
+}
+
+}  // namespace rebound
