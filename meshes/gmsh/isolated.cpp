@@ -152,6 +152,9 @@ std::string isolated(const std::function<std::string()>& work, const Isolation& 
   const int status = child.end();
   if (control.interrupted && control.interrupted())
     throw Error(ExitCode::interrupted, "interrupted while " + program + " was at work");
+  // Ctrl-C goes to all processes of a terminal.
+  if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM))
+    throw Error(ExitCode::interrupted, "interrupted while " + program + " was at work");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
     throw Error(ExitCode::bad_input, program + " was at work on it for more than " +
                                          std::to_string(whole_seconds(limits)) +

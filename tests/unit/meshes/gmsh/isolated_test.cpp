@@ -101,6 +101,18 @@ TEST(IsolatedTest, AnInterruptionEndsIt) {
   EXPECT_EQ(error.code(), ExitCode::interrupted);
 }
 
+TEST(IsolatedTest, CtrlCThatReachesItAloneIsAnInterruption) {
+  const Error error = refusal_of([] {
+    isolated(
+        [] {
+          std::raise(SIGINT);
+          return std::string();
+        },
+        {}, {});
+  });
+  EXPECT_EQ(error.code(), ExitCode::interrupted);
+}
+
 TEST(MeshBytesTest, KeepEveryBit) {
   const Mesh mesh{.vertices = {{0.1, -0.0}, {1.0 / 3.0, std::numeric_limits<double>::min()}},
                   .cells = {{0, 1, 2, 3}},
