@@ -122,6 +122,8 @@ int main(int count, char** arguments) try {
                "STORE keeps what is run, TABLE gets what it lacks of the plan; --try: few cells\n");
     return 2;
   }
+  const std::filesystem::path folder = std::filesystem::path(arguments[1]).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
   rebound::CoverageCampaign campaign(arguments[1], arguments[2]);
   campaign.run(to_try ? rebound::families_to_try() : rebound::planned_families());
   return 0;
