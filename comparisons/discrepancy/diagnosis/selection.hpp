@@ -32,8 +32,9 @@ struct UnseenSpeed {
 ///
 ///   1 first-order score of every effect on the baseline's residuals
 ///   2 the best single effects, and every family by its free form, fitted jointly over all shots
-///   3 where none is adequate: sets of two and of three, each from the best of one less;
-///     what an adequate set of three does not need is taken out again
+///     of several balls the best of them again, with a size of every ball
+///   3 where none is adequate, or another fits plainly better and leaves a little: sets of two to
+///     four, each from the best of one less; what an adequate set does not need is taken out again
 ///   4 every adequate and minimal set within 6 of the best criterion is indistinguishable
 ///   5 of these the unseen speed takes out what predicts it worse (choose_with_unseen_speed)
 ///
