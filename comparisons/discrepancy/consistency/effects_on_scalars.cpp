@@ -11,7 +11,7 @@
 namespace rebound {
 namespace {
 
-constexpr std::size_t looked_at = 8, searched_to_the_end = 2;
+constexpr std::size_t looked_at = 6, searched_to_the_end = 2;
 
 /// The effects that promise most, by the first order or by their grid.
 std::vector<std::string> promising(const EffectSensitivities& around, double chi_square) {

@@ -6,7 +6,7 @@
 
 namespace rebound {
 
-/// The eight effects that promise most, one at a time, from the best start of their grids; those
+/// The six effects that promise most, one at a time, from the best start of their grids; those
 /// that bring the model closer, best criterion first. The best two are searched to the end.
 ///
 /// Limit:  data of the model with one effect: that effect is first

@@ -63,7 +63,7 @@ double chi_square_at_start(const Observations& seen, const Hypothesis& hypothesi
 }  // namespace
 
 HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesis,
-                           const RunControl& control) {
+                           const RunControl& control, SearchEffort effort) {
   struct Start {
     Hypothesis hypothesis;
     double chi_square;
@@ -72,7 +72,7 @@ HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesi
   Error failure(ExitCode::solver_failed, "the believed model has no impact");
   const auto search_from = [&](const Hypothesis& start) {
     try {
-      HypothesisFit fit = fit_hypothesis(seen, start, control);
+      HypothesisFit fit = fit_hypothesis(seen, start, control, effort);
       // Another start is worth another set of numbers only where it ends elsewhere.
       constexpr double elsewhere = 1e-3;
       if (!best || fit.chi_square < best->chi_square - elsewhere * (1.0 + best->chi_square))

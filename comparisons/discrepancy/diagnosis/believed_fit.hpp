@@ -14,6 +14,7 @@ namespace rebound {
 ///        -> test NotFooledTest.TheStartDoesNotDecide.
 /// Errors: as fit_hypothesis().
 HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesis,
-                           const RunControl& control = {});
+                           const RunControl& control = {},
+                           SearchEffort effort = SearchEffort::whole);
 
 }  // namespace rebound

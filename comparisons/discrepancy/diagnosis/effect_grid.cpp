@@ -152,7 +152,8 @@ std::vector<EffectChoice> stronger_effects(const OscillatorCard& card, const Eff
   return all;
 }
 
-std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen) {
+std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen,
+                                         GridDetail detail) {
   std::vector<EffectChoice> all;
   const auto add = [&](double size) {
     if (size < card.range.lowest || size > card.range.highest) return;
@@ -166,7 +167,8 @@ std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observati
   if (!card.tried.empty()) return all;
   const double null = std::isfinite(card.null) ? card.null : 0.0;
   // A fine grid of the parameters needs no fine one of the size beside it.
-  const bool many = over_parameters(card, {card.name, card.prior_scale, {}}, seen).size() > 10;
+  const bool many = detail == GridDetail::coarse ||
+                    over_parameters(card, {card.name, card.prior_scale, {}}, seen).size() > 10;
   for (double factor = smallest_tried; factor < 8.0; factor *= many ? 4.0 : 2.0) {
     add(null + factor * card.prior_scale);
     add(null - factor * card.prior_scale);

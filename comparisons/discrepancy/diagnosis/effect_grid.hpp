@@ -19,9 +19,9 @@ std::vector<EffectChoice> with_each(const std::vector<EffectChoice>& all,
 std::vector<EffectChoice> over_parameters(const EffectCard& card, const EffectChoice& effect,
                                           const Observations& seen);
 
-/// How close frequencies of what may ring stand to each other.
+/// How close frequencies of what may ring, and sizes, stand to each other.
 enum class GridDetail {
-  coarse,  ///< a dozen, evenly over their logarithm
+  coarse,  ///< a dozen, evenly over their logarithm; of sizes, every fourfold one
   fine     ///< so that none that the data tell apart falls between two
 };
 
@@ -34,7 +34,8 @@ std::vector<EffectChoice> stronger_effects(const OscillatorCard& card, const Eff
                                            const Observations& seen);
 
 /// Where searches may start.
-std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen);
+std::vector<EffectChoice> finite_effects(const EffectCard& card, const Observations& seen,
+                                         GridDetail detail);
 
 /// The points of one kind of grid, of all effects in turn.
 template <class Grid>

@@ -48,7 +48,7 @@ std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const Ef
 
 EffectSensitivities::EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
                                          std::vector<std::string> effects, GridDetail detail)
-    : seen_(seen), fit_(fit), effects_(std::move(effects)) {
+    : seen_(seen), fit_(fit), effects_(std::move(effects)), of_starts_(detail) {
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
   if (!fit.values.empty()) {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_at(*fit.model, fit.values));

@@ -107,6 +107,7 @@ class EffectSensitivities {
   const Observations& seen_;
   const HypothesisFit& fit_;
   std::vector<std::string> effects_;
+  GridDetail of_starts_;
   Eigen::MatrixXd basis_;  ///< orthonormal columns of the fit's Jacobian
   std::vector<EffectSensitivity> sensitivities_;
   std::vector<EffectProbe> probes_;  ///< best first

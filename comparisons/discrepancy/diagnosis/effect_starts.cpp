@@ -14,7 +14,7 @@ std::vector<EffectChoice> EffectSensitivities::stronger_where_it_shows(
   std::vector<std::pair<double, const EffectChoice*>> gains;
   for (const EffectSensitivity& d : sensitivities_)
     if (d.effect.name == card.name) gains.emplace_back(score_of(d).gain_chi_square, &d.effect);
-  if (gains.empty()) return finite_effects(card, seen_);
+  if (gains.empty()) return finite_effects(card, seen_, of_starts_);
   std::stable_sort(gains.begin(), gains.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<EffectChoice> all;
@@ -39,7 +39,7 @@ void EffectSensitivities::look_for_starts() {
   const std::vector<EffectChoice> choices = of_all(effects_, [&](const EffectCard& card) {
     return card.is_linear    ? best_to_first_order(card)
            : card.oscillator ? stronger_where_it_shows(card)
-                             : finite_effects(card, seen_);
+                             : finite_effects(card, seen_, of_starts_);
   });
   probes_ = probed(choices);
 }

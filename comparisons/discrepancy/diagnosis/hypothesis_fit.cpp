@@ -12,13 +12,14 @@
 namespace rebound {
 namespace {
 
-constexpr int first_look_iterations = 10;
+constexpr int first_look_iterations = 10, first_look_in_fem = 6;
 
 /// Lumped impacts are good to 1e-7. In FE no more of the cost can be gained than what nodes that
 /// touch one by one make of it.
 CalibrationControls search_controls(const JointModel& model) {
   return {.relative_step = model.difference_step(),
           .differences = Differences::one_sided,
+          .runs_are_dear = model.fem() != nullptr,
           .cost_tolerance = model.fem() ? 3e-4 : 1e-7,
           .iterations = model.fem() ? 25 : 60};
 }
@@ -63,7 +64,8 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   fit.model = model;
   CalibrationProblem problem = model->problem();
   problem.controls = search_controls(*model);
-  if (effort == SearchEffort::first_look) problem.controls.iterations = first_look_iterations;
+  if (effort == SearchEffort::first_look)
+    problem.controls.iterations = model->fem() ? first_look_in_fem : first_look_iterations;
   if (near) {
     const std::vector<double> starts = values_from(*near, *model);
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -137,8 +139,8 @@ std::vector<double> values_from(const HypothesisFit& fit, const JointModel& mode
 }
 
 HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
-                             const RunControl& control) {
-  return fit_from(seen, hypothesis, nullptr, SearchEffort::whole, control);
+                             const RunControl& control, SearchEffort effort) {
+  return fit_from(seen, hypothesis, nullptr, effort, control);
 }
 
 HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,

@@ -45,7 +45,8 @@ enum class SearchEffort { first_look, whole };
 /// Fits a hypothesis, effects included, from its numbers as they stand.
 /// Errors: as JointModel and calibrate().
 HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothesis,
-                             const RunControl& control = {});
+                             const RunControl& control = {},
+                             SearchEffort effort = SearchEffort::whole);
 
 /// Fits what `near` has fitted and one effect more, from each of the given
 /// starts of that effect; all other unknowns start as in `near`. The best

@@ -79,6 +79,9 @@ struct CalibrationControls {
   /// wants 1e-2 or so.
   double relative_step = 1e-4;
   Differences differences = Differences::central;
+  /// A run costs so much that a search is to come by with few: its first steps are short, and a
+  /// step that gains nothing is made shorter rather than searched along.
+  bool runs_are_dear = false;
   /// The search ends when an iteration changes the cost by less than this
   /// share, or is below its square times the first one. A model with
   /// discretisation ripple wants 1e-3 or so.

@@ -50,12 +50,22 @@ CarriedDifference difference_between(const ModelledImpact& first, const Modelled
   return difference;
 }
 
-void CarriedDifference::apply(ModelledImpact& impact, double share) const {
-  add_share(force, share, impact.trace.force);
-  add_share(deflection, share, impact.trace.deflection);
-  for (double& time : impact.trace.time) time *= 1.0 + share * (duration - 1.0);
+void CarriedDifference::apply(ModelledImpact& impact) const {
+  apply_times(impact, 1.0);
+}
+
+void CarriedDifference::apply_times(ModelledImpact& impact, double times) const {
+  add_share(force, times, impact.trace.force);
+  add_share(deflection, times, impact.trace.deflection);
+  const double longer = std::pow(duration, times);
+  for (double& time : impact.trace.time) time *= longer;
   for (const auto& [scalar, ratio] : ratios)
-    impact.scalars.*scalar *= 1.0 + share * (this->*ratio - 1.0);
+    impact.scalars.*scalar *= std::pow(this->*ratio, times);
+}
+
+void KnownDifferences::carry_to(ModelledImpact& impact, double other_speed) const {
+  if (other_speed != speed)
+    faster.apply_times(impact, std::log(other_speed / speed) / std::log1p(step));
 }
 
 double history_difference(const ModelledImpact& a, const ModelledImpact& b) {

@@ -23,8 +23,10 @@ struct CarriedDifference {
   double restitution = 1.0, rebound_speed = 1.0, contact_time = 1.0, contact_time_1pct = 1.0,
          peak_force = 1.0, peak_deflection = 1.0, mean_deflection = 1.0;
 
-  /// `share` of the difference added.
-  void apply(ModelledImpact& impact, double share = 1.0) const;
+  void apply(ModelledImpact& impact) const;
+  /// The difference so many times over: scalars and the duration by powers of their ratios, as laws
+  /// of power in the speed have it; the shape of the history by shares.
+  void apply_times(ModelledImpact& impact, double times) const;
 };
 
 CarriedDifference difference_between(const ModelledImpact& first, const ModelledImpact& second);
@@ -33,11 +35,19 @@ CarriedDifference difference_between(const ModelledImpact& first, const Modelled
 double history_difference(const ModelledImpact& a, const ModelledImpact& b);
 
 /// Differences known at one speed of a ball.
+///
+/// Limit:  impacts whose scalars are powers of the speed are met at any speed
+///         -> test CarriedDifferenceTest.PowersOfTheSpeedAreMet.
 struct KnownDifferences {
   std::size_t ball = 0;
   double speed = 0.0;        ///< [m/s]
   CarriedDifference finer;   ///< what a finer mesh adds
-  CarriedDifference faster;  ///< what a speed one per cent higher adds
+  CarriedDifference faster;  ///< what a speed higher by `step` adds
+  double step = 0.01;        ///< of a speed
+  double reach = 0.1;        ///< of a speed: farther, an impact is run by itself
+
+  /// The impact at this speed becomes that at another.
+  void carry_to(ModelledImpact& impact, double other_speed) const;
 };
 
 }  // namespace rebound

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t instants = 401;  // of a contact
 constexpr std::size_t most_impacts = 10'000;
-constexpr double near_by = 0.1;  // of a speed
 
 Trace at_equal_phases(const Trace& trace) {
   Trace even;
@@ -120,10 +119,15 @@ FemBelief FemBelief::with(std::vector<KnownDifferences> known) const {
 }
 
 const KnownDifferences* FemBelief::known_at(std::size_t ball, double speed) const {
-  const auto found = std::find_if(known_.begin(), known_.end(), [&](const auto& one) {
-    return one.ball == ball && std::abs(one.speed - speed) <= near_by * one.speed;
-  });
-  return found == known_.end() ? nullptr : &*found;
+  const KnownDifferences* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const KnownDifferences& one : known_) {
+    const double distance = std::abs(one.speed - speed) / one.speed;
+    if (one.ball != ball || distance > one.reach || distance >= least) continue;
+    least = distance;
+    nearest = &one;
+  }
+  return nearest;
 }
 
 ModelledImpact FemBelief::run_anew(std::size_t ball, const FemProblem& problem) const {
@@ -162,8 +166,7 @@ ModelledImpact FemBelief::run(std::size_t ball, const Impact& impact, const Mate
   ModelledImpact result = *found;
   if (!known) return result;
   known->finer.apply(result);
-  if (impact.speed != known->speed)
-    known->faster.apply(result, (impact.speed / known->speed - 1.0) / faster);
+  known->carry_to(result, impact.speed);
   return result;
 }
 

@@ -31,14 +31,11 @@ class FemBelief {
   /// The same balls, cells and plate, of another material.
   FemBelief with(const Material& material) const;
   /// The same, corrected for its cells where it was compared with finer ones: impacts of that ball
-  /// within a tenth of that speed. There a small change of speed needs no impact of its own.
+  /// within `reach` of that speed. There a change of speed needs no impact of its own.
   FemBelief with(std::vector<KnownDifferences> known) const;
 
   const FemProblem& problem() const { return problem_; }
   int cells() const { return cells_; }
-
-  /// A small change of speed, of the size that `run` would be noisy for [-].
-  static constexpr double faster = 0.01;
 
   /// One impact of a ball of this material, with effects.
   /// Errors: Error(solver_failed) where the impact has no end, or the material none of its

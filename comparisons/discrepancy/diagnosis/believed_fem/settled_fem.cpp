@@ -23,6 +23,14 @@ Material moved(Material material) {
   return material;
 }
 
+/// A fit moves a speed within a few of its standard deviations.
+void reach_speeds_of(const MeasuredImpact& shot, KnownDifferences& known) {
+  constexpr double deviations = 3.0, farthest = 0.3, largest_step = 0.05;
+  const double share = shot.speed_uncertainty.value_or(0.0) / shot.impact.speed;
+  known.reach = std::clamp(deviations * share, known.reach, farthest);
+  known.step = std::clamp(0.5 * share, known.step, largest_step);
+}
+
 /// One impact on two meshes: what they differ by, and what is wrong with that elsewhere.
 struct ComparedImpact {
   KnownDifferences known;
@@ -74,13 +82,15 @@ class MeshComparison {
     ComparedImpact impact;
     impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
+    impact.known = {.ball = shot.ball,
+                    .speed = shot.impact.speed,
+                    .finer = difference_between(impact.coarse, impact.fine),
+                    .faster = {}};
+    reach_speeds_of(shot, impact.known);
     Impact above = shot.impact;
-    above.speed *= 1.0 + FemBelief::faster;
-    impact.known = {
-        .ball = shot.ball,
-        .speed = shot.impact.speed,
-        .finer = difference_between(impact.coarse, impact.fine),
-        .faster = difference_between(impact.fine, fine_.run(shot.ball, above, material, effects))};
+    above.speed *= 1.0 + impact.known.step;
+    impact.known.faster =
+        difference_between(impact.fine, fine_.run(shot.ball, above, material, effects));
     ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
     impact.known.finer.apply(elsewhere);
     impact.history_error = std::hypot(
@@ -108,7 +118,9 @@ SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice
                       const RunControl& control, int cells) {
   const std::vector<Material> as_believed(all.balls.size(), believed.material);
   const auto fem = std::make_shared<const FemBelief>(believed, all, as_believed, cells, control);
-  const HypothesisFit first = fit_believed(seen, {.fem = fem, .effects = effects}, control);
+  // Where the balls are cut, and where the next search starts: a first look tells.
+  const HypothesisFit first =
+      fit_believed(seen, {.fem = fem, .effects = effects}, control, SearchEffort::first_look);
   return settle_fem_at(first, all, seen, unseen, control);
 }
 

@@ -207,8 +207,8 @@ std::string simulation_clause(const std::vector<CoreStudy>& cores) {
   }
   if (!kind) return {};
   return fmt::format(
-      "no FE material holds all that was measured of {} of {} cores, for {} exceeds what the rest "
-      "allows by {} at the lowest speed and by {} at the highest",
+      "no FE material of the believed law holds all that was measured of {} of {} cores, for {} "
+      "exceeds what the rest allows by {} at the lowest speed and by {} at the highest",
       labels.size(), diagnosed, in_words(*kind), percent_range(slowest), percent_range(fastest));
 }
 

@@ -42,12 +42,35 @@ TEST(CarriedDifferenceTest, MakesTheSecondImpactOfTheFirst) {
 }
 
 TEST(CarriedDifferenceTest, HalfOfItIsHalfTheWay) {
-  const ModelledImpact first = half_sine(1000.0, 1e-3, 0.7), second = half_sine(1100.0, 9e-4, 0.6);
+  const ModelledImpact first = half_sine(1000.0, 1e-3, 0.8), second = half_sine(1210.0, 4e-4, 0.2);
   ModelledImpact made = first;
-  difference_between(first, second).apply(made, 0.5);
-  EXPECT_NEAR(made.trace.force[50], 1050.0, 1e-9);
-  EXPECT_NEAR(made.trace.time.back(), 9.5e-4, 1e-15);
-  EXPECT_NEAR(made.scalars.restitution, 0.65, 1e-12);
+  difference_between(first, second).apply_times(made, 0.5);
+  EXPECT_NEAR(made.trace.force[50], 1105.0, 1e-9);
+  EXPECT_NEAR(made.trace.time.back(), std::sqrt(4e-7), 1e-12);
+  EXPECT_NEAR(made.scalars.restitution, 0.4, 1e-12);
+  EXPECT_NEAR(made.scalars.peak_force, 1100.0, 1e-9);
+}
+
+TEST(CarriedDifferenceTest, PowersOfTheSpeedAreMet) {
+  const auto at = [](double speed) {
+    return half_sine(100.0 * std::pow(speed, 1.2), 1e-3 * std::pow(speed, -0.2),
+                     std::pow(speed, -0.15));
+  };
+  constexpr double speed = 5.0, step = 0.05;
+  const KnownDifferences known{.ball = 0,
+                               .speed = speed,
+                               .finer = {},
+                               .faster = difference_between(at(speed), at(speed * (1.0 + step))),
+                               .step = step};
+  for (const double other : {3.5, 4.9, 5.0, 6.5}) {
+    ModelledImpact made = at(speed);
+    known.carry_to(made, other);
+    const ModelledImpact meant = at(other);
+    EXPECT_NEAR(made.scalars.peak_force, meant.scalars.peak_force, 1e-8);
+    EXPECT_NEAR(made.scalars.contact_time, meant.scalars.contact_time, 1e-13);
+    EXPECT_NEAR(made.scalars.restitution, meant.scalars.restitution, 1e-12);
+    EXPECT_NEAR(made.trace.time.back(), meant.trace.time.back(), 1e-13);
+  }
 }
 
 // At another scale the difference grows with the force.
