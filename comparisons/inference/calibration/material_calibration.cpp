@@ -135,7 +135,6 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
   calibration.controls.relative_step = difference_step;
   calibration.controls.cost_tolerance = cost_tolerance;
   calibration.controls.iterations = 50;
-  calibration.controls.runs_are_dear = true;
   for (const auto& unknown : free) {
     Material start = problem.material;
     calibration.parameters.push_back({.name = name_of(unknown),
