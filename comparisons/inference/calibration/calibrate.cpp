@@ -58,12 +58,6 @@ Optimum surroundings(const Attempt& best, const CalibrationCost& cost) {
   return optimum;
 }
 
-double half_square(const std::vector<double>& r) {
-  double sum = 0.0;
-  for (double one : r) sum += 0.5 * one * one;
-  return sum;
-}
-
 std::vector<double> start_of(const CalibrationProblem& problem) {
   std::vector<double> start;
   for (const auto& p : problem.parameters) start.push_back(p.start);

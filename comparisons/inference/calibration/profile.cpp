@@ -3,112 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "comparisons/inference/calibration/distributions.hpp"
-#include "comparisons/inference/calibration/search.hpp"
+#include "comparisons/inference/calibration/held_parameter.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
 namespace {
 
-/// The calibration with one parameter held.
-class Held {
- public:
-  Held(const CalibrationProblem& problem, std::size_t held, std::vector<double> start)
-      : whole_(problem), held_(held), start_(std::move(start)) {
-    start_.erase(start_.begin() + static_cast<std::ptrdiff_t>(held));
-    inner_ = problem;
-    inner_.parameters.erase(inner_.parameters.begin() + static_cast<std::ptrdiff_t>(held));
-    inner_.residuals = [this](const std::vector<double>& x) { return whole_.residuals(with(x)); };
-    if (!whole_.with_jacobian) return;
-    inner_.with_jacobian = [this](const std::vector<double>& x) {
-      return without_held(whole_.with_jacobian(with(x)));
-    };
-  }
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
-
-  /// A value that is held, the least cost with it, and where the others stand then.
-  struct Point {
-    double value = 0.0;
-    double cost = 0.0;  ///< infinite where the model has no answer
-    std::vector<double> others;
-  };
-  Point start(double value, double cost) const { return {value, cost, start_}; }
-
-  /// Least cost with the parameter at `value`, the others searched from where they stand at `near`,
-  /// or on the line from `before` through it, whichever is the better start.
-  Point point_at(double value, const Point& before, const Point& near, const RunControl& control) {
-    value_ = value;
-    Point point{value, std::numeric_limits<double>::infinity(), near.others};
-    try {
-      const std::vector<double> r = inner_.residuals(point.others);
-      if (point.others.empty()) return {value, half_square(r), {}};
-      std::vector<double> ahead = on_the_line(value, before, near);
-      if (cost_or_infinity(ahead) < half_square(r)) point.others = std::move(ahead);
-      CalibrationCost cost(inner_, static_cast<int>(r.size()));
-      std::vector<double> y = point.others;
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] /= inner_.parameters[i].scale;
-      const Attempt found = search_from(std::move(y), inner_, cost, control);
-      if (found.interrupted)
-        throw Error(ExitCode::interrupted, "the calibration was interrupted before it ended");
-      for (std::size_t i = 0; i < point.others.size(); ++i)
-        point.others[i] = found.y[i] * inner_.parameters[i].scale;
-      point.cost = found.cost;
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed) throw;
-    }
-    return point;
-  }
-
- private:
-  static double half_square(const std::vector<double>& r) {
-    double sum = 0.0;
-    for (double one : r) sum += 0.5 * one * one;
-    return sum;
-  }
-  double cost_or_infinity(const std::vector<double>& others) const {
-    try {
-      return half_square(inner_.residuals(others));
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed) throw;
-      return std::numeric_limits<double>::infinity();
-    }
-  }
-  std::vector<double> on_the_line(double value, const Point& before, const Point& near) const {
-    if (near.value == before.value) return near.others;
-    const double share = (value - near.value) / (near.value - before.value);
-    std::vector<double> ahead = near.others;
-    for (std::size_t i = 0; i < ahead.size(); ++i)
-      ahead[i] = std::clamp(ahead[i] + share * (near.others[i] - before.others[i]),
-                            inner_.parameters[i].lowest, inner_.parameters[i].highest);
-    return ahead;
-  }
-  ResidualsWithJacobian without_held(ResidualsWithJacobian all) const {
-    const std::size_t unknowns = whole_.parameters.size();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < all.slopes.size(); ++i)
-      if (i % unknowns != held_) all.slopes[kept++] = all.slopes[i];
-    all.slopes.resize(kept);
-    return all;
-  }
-  std::vector<double> with(const std::vector<double>& x) const {
-    std::vector<double> all = x;
-    all.insert(all.begin() + static_cast<std::ptrdiff_t>(held_), value_);
-    return all;
-  }
-
-  const CalibrationProblem& whole_;
-  CalibrationProblem inner_;
-  std::size_t held_;
-  double value_ = 0.0;
-  std::vector<double> start_;  ///< the others at the optimum
-};
-
+using Held = HeldParameter;
 using Point = Held::Point;
 
 /// One side of the profile.

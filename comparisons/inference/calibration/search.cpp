@@ -109,4 +109,10 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
           summary.termination_type == ceres::USER_FAILURE};
 }
 
+double half_square(const std::vector<double>& residuals) {
+  double sum = 0.0;
+  for (double one : residuals) sum += 0.5 * one * one;
+  return sum;
+}
+
 }  // namespace rebound

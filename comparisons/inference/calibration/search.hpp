@@ -7,6 +7,9 @@
 
 namespace rebound {
 
+/// ½ Σ r²: the cost of residuals.
+double half_square(const std::vector<double>& residuals);
+
 /// Where one search ended, in scaled unknowns.
 struct Attempt {
   std::vector<double> y;
