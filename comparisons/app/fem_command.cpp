@@ -71,10 +71,6 @@ void prepare_output(const Session& session, const Document& document, FemProblem
 
 enum class Errors { not_asked, reference };
 
-/// Shapes that are kept to see what strain a material that may be unstable reaches, where no
-/// picture asks for more: they take as long as the rest.
-constexpr int watched_shapes = 24;
-
 struct Outcome {
   FemResult result;
   Json json;  ///< null when incomplete
@@ -96,19 +92,9 @@ Outcome simulate(FemProblem problem, Errors errors) {
     report::Section bars = error_bars(reference);
     return {std::move(reference.result), std::move(json), std::move(bars)};
   }
-  FemProblem watched = problem;
-  if (problem.controls.shape_frames == 0 && may_be_unstable(problem.material))
-    watched.controls.shape_frames = watched_shapes;
-  FemResult result = fem_tier().simulate(watched, mesh, progress.control());
-  const std::string warning = instability_warning(problem.material, result.shapes);
-  if (problem.controls.shape_frames == 0) result.shapes = {};
-  if (!result.incomplete_because.empty()) {
-    if (!warning.empty()) result.incomplete_because += "; " + warning;
-    return {std::move(result), Json()};
-  }
-  if (!warning.empty()) fmt::print(stderr, "rebound: {}\n", warning);
-  Json json = to_json(result);
-  json["warnings"] = warning.empty() ? Json::array() : Json::array({warning});
+  FemResult result = watched_impact(problem, mesh, progress.control());
+  for (const std::string& warning : result.warnings) fmt::print(stderr, "rebound: {}\n", warning);
+  Json json = result.incomplete_because.empty() ? to_json(result) : Json();
   return {std::move(result), std::move(json)};
 }
 

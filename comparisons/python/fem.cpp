@@ -1,6 +1,7 @@
 #include <array>
 
 #include "comparisons/io/toml/impact_file.hpp"
+#include "comparisons/models/fem_access/material_stability.hpp"
 #include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
 #include "comparisons/python/binding.hpp"
@@ -44,7 +45,7 @@ FemResult simulate_fem(const Source& source) {
   return interruptible([document, problem](const RunControl& control) {
     FemResult result;
     document.locating([&] {
-      result = fem_tier().simulate(problem, mesh_for(problem, control), control);
+      result = watched_impact(problem, mesh_for(problem, control), control);
       if (!result.incomplete_because.empty())
         throw Error(ExitCode::solver_failed, result.incomplete_because);
     });

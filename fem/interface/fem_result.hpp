@@ -75,6 +75,8 @@ struct FemResult {
   /// Empty when complete; otherwise why the run ended early. No scalar of an
   /// incomplete result may be reported.
   std::string incomplete_because;
+  /// What to know before the numbers are used.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace rebound

@@ -61,7 +61,7 @@ void check_store_file(const std::filesystem::path& file) {
 }
 
 void make_store_file(const std::filesystem::path& file, const std::string& program) {
-  std::string part = file.string() + ".part-XXXXXX";
+  std::string part = file.string() + ".partial-XXXXXX";
   const int placeholder = ::mkstemp(part.data());
   if (placeholder < 0)
     throw Error(ExitCode::input_output_failed,

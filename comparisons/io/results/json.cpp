@@ -64,6 +64,7 @@ Json to_json(const FemResult& result) {
   json["vibrational_energy_share"] = result.vibrational_energy_share;
   json["contact_constraint_share"] = result.contact_constraint_share;
   json["kernel"] = result.kernel;
+  json["warnings"] = result.warnings;
   return json;
 }
 

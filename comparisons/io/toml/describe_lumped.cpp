@@ -33,8 +33,9 @@ bool follows(const ParameterCard& card, const std::string& other, const LawCard&
 
 /// Is the unit of a parameter unknown, since what sets it was refused?
 bool hangs_on_refused(Visitor& visit, const LawCard& law, const ParameterCard& card) {
+  // A reader that says yes holds the table undecided: it is asked of what the unit follows alone.
   return std::any_of(law.parameters.begin(), law.parameters.end(), [&](const ParameterCard& one) {
-    return visit.refused(one.name) && follows(card, one.name, law);
+    return follows(card, one.name, law) && visit.refused(one.name);
   });
 }
 

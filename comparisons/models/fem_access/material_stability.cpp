@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "comparisons/models/fem_access/material_laws.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -99,6 +100,24 @@ std::string instability_warning(const Material& material, const ShapeHistory& sh
       "the material is unstable beyond a strain of {:+.0f} % in slow uniaxial stress: its stress "
       "no longer rises there; this impact strains it from {:+.0f} to {:+.0f} %",
       100.0 * (*unstable - 1.0), 100.0 * (range.smallest - 1.0), 100.0 * (range.largest - 1.0));
+}
+
+FemResult watched_impact(const FemProblem& problem, const Mesh& mesh, const RunControl& control) {
+  // Shapes take as long as the rest: they are kept only where a picture or the material asks.
+  constexpr int watched_shapes = 24;
+  const bool pictured = problem.controls.shape_frames > 0;
+  FemProblem watched = problem;
+  if (!pictured && may_be_unstable(problem.material))
+    watched.controls.shape_frames = watched_shapes;
+  FemResult result = fem_tier().simulate(watched, mesh, control);
+  const std::string warning = instability_warning(problem.material, result.shapes);
+  if (!pictured) result.shapes = {};
+  if (warning.empty()) return result;
+  if (result.incomplete_because.empty())
+    result.warnings.push_back(warning);
+  else
+    result.incomplete_because += "; " + warning;
+  return result;
 }
 
 }  // namespace rebound

@@ -5,6 +5,8 @@
 
 #include "fem/interface/fem_result.hpp"
 #include "fem/interface/material.hpp"
+#include "fem/interface/modules.hpp"
+#include "lumped/problem/run_control.hpp"
 
 namespace rebound {
 
@@ -34,5 +36,9 @@ bool may_be_unstable(const Material& material);
 /// A sentence for an impact that takes its material to where it is unstable, with both strains;
 /// empty: it does not. Layers are not looked at.
 std::string instability_warning(const Material& material, const ShapeHistory& shapes);
+
+/// fem_tier().simulate() with that sentence among the warnings, or beside the reason why it ended
+/// early. Errors: the same.
+FemResult watched_impact(const FemProblem& problem, const Mesh& mesh, const RunControl& control);
 
 }  // namespace rebound
