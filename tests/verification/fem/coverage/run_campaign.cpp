@@ -2,8 +2,7 @@
 // are the truth, and nine-node families that hold the truth. Each is kept in a store of results as
 // it ends, so that a kill costs what was running; the table is written at the end.
 //
-//   build/coverage_campaign results/coverage.sqlite \\
-//       comparisons/accuracy/numerical_error/error_bars/coverage.csv
+//   build/coverage_campaign STORE comparisons/accuracy/numerical_error/error_bars/coverage.csv
 #include <fmt/format.h>
 
 #include <chrono>
