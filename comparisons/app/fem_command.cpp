@@ -135,10 +135,12 @@ Action declare_fem(CLI::App& command) {
   const auto file = std::make_shared<std::string>();
   command.add_option("FILE", *file, "Impact file with [model] tier = \"fem\"")->required();
   const auto reference = std::make_shared<bool>(false);
-  command.add_flag("--reference", *reference,
-                   "Give every scalar and the trace a numerical error bar: three meshes, from the "
-                   "cells asked for (or the mesh file) to 16 times as many, half the step, speeds "
-                   "nearby. The finest mesh is the result");
+  command.add_flag(
+      "--reference", *reference,
+      "Give every scalar and the trace a numerical error bar: three meshes, from the "
+      "cells asked for (or the mesh file) to 16 times as many, half the step, speeds "
+      "nearby. The finest mesh is the result; whether the material is unstable is not looked "
+      "for");
   command.footer(fem_help);
   return [file, reference](const Session& session) {
     return run_fem(session, *file, *reference ? Errors::reference : Errors::not_asked);

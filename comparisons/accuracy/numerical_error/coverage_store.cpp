@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "comparisons/io/results/digest.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
@@ -21,10 +19,8 @@ constexpr std::pair<const char*, double FamilyValues::*> parts[] = {
     {".scatter", &FamilyValues::scatter}, {".ripple", &FamilyValues::ripple}};
 
 double value_of(const MemberResult& member, const std::string& name) {
-  const auto found = std::find_if(member.values.begin(), member.values.end(),
-                                  [&](const NamedValue& one) { return one.name == name; });
-  const double* number =
-      found == member.values.end() ? nullptr : std::get_if<double>(&found->value);
+  const NamedValue* found = value_named(member, name);
+  const double* number = found ? std::get_if<double>(&found->value) : nullptr;
   if (!number)
     throw Error(ExitCode::corrupt_store, "a member of the store is no family of meshes",
                 {.key = name});
@@ -35,10 +31,8 @@ double value_of(const MemberResult& member, const std::string& name) {
 
 std::string key_of_family(const std::string& program, const FemProblem& problem, FamilyUse use,
                           int cells) {
-  constexpr std::size_t digits = 32;
-  return sha256(fmt::format("{}\ncoverage\n{} {}\n{}", program, static_cast<int>(use), cells,
-                            write_toml(problem)))
-      .substr(0, digits);
+  return member_key(fmt::format("{}\ncoverage\n{} {}\n{}", program, static_cast<int>(use), cells,
+                                write_toml(problem)));
 }
 
 MemberResult member_of(const std::vector<CoverageRow>& rows) {

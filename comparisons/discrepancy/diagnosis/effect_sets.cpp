@@ -100,8 +100,9 @@ std::vector<HypothesisFit> EffectSearch::with_own_sizes() const {
     const auto& candidates = selection_.indistinguishable;
     const bool may_stand = candidates.empty() ||
                            std::find(candidates.begin(), candidates.end(), i) != candidates.end();
-    HypothesisFit fit = selection_.tried[i].fit;
-    if (!may_stand || !known.insert(names_of(fit.effects)).second) continue;
+    const HypothesisFit& shared = selection_.tried[i].fit;
+    if (!may_stand || !known.insert(names_of(shared.effects)).second) continue;
+    HypothesisFit fit = shared;
     bool varies = false;
     for (std::size_t k = base().effects.size(); k < fit.effects.size(); ++k) {
       EffectChoice& one = fit.effects[k];

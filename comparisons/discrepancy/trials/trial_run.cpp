@@ -36,7 +36,7 @@ std::vector<TrialPlace> places_of(const TrialFolder& folder, TrialStore& store) 
     for (const auto& entry : std::filesystem::directory_iterator(folder.data / "trials"))
       if (entry.is_directory())
         places.push_back({&folder, &store, entry.path(), std::atoi(entry.path().filename().c_str()),
-                          digest_of_trial(entry.path())});
+                          digest_of_folder(entry.path())});
   if (places.empty())
     throw Error(ExitCode::bad_input, "holds no trials",
                 {.file = folder.data.string(), .allowed = "a folder that trial_generator wrote"});

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "comparisons/discrepancy/trials/table_fields.hpp"
-#include "comparisons/io/results/digest.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -17,8 +16,7 @@ constexpr const char* warnings_name = "warnings";
 
 /// Of what one protocol said of one trial.
 std::string key_of(const std::string& protocol, const std::string& trial) {
-  constexpr std::size_t digits = 32;
-  return sha256("trial\n" + protocol + "\n" + trial).substr(0, digits);
+  return member_key("trial\n" + protocol + "\n" + trial);
 }
 
 /// The columns of the table of trials as values with names.
@@ -38,17 +36,16 @@ MemberResult member_of(const TrialOutcome& outcome) {
 TrialOutcome outcome_of(const MemberResult& member) {
   TrialRecord record;
   for (const TableField& field : outcome_fields()) {
-    const auto value = std::find_if(member.values.begin(), member.values.end(),
-                                    [&](const NamedValue& one) { return one.name == field.name; });
-    if (value == member.values.end()) throw FieldError{};
+    const NamedValue* value = value_named(member, field.name);
+    if (!value) throw FieldError{};
     const double* number = std::get_if<double>(&value->value);
     field.read(number ? fmt::format("{}", *number) : std::get<std::string>(value->value), record);
   }
   TrialOutcome outcome = std::move(record.outcome);
   outcome.failure = member.failure;
-  for (const NamedValue& one : member.values)
-    if (one.name == warnings_name && one.value != decltype(one.value)(std::string()))
-      outcome.warnings = parts_of(std::get<std::string>(one.value), '\n');
+  if (const NamedValue* warnings = value_named(member, warnings_name))
+    if (const auto& text = std::get<std::string>(warnings->value); !text.empty())
+      outcome.warnings = parts_of(text, '\n');
   return outcome;
 }
 
@@ -61,17 +58,6 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const std::st
 }
 
 }  // namespace
-
-std::string digest_of_trial(const std::filesystem::path& trial) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(trial))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::string digests;
-  for (const auto& file : files)
-    digests += file.lexically_relative(trial).string() + " " + sha256(bytes_of(file)) + "\n";
-  return sha256(digests);
-}
 
 TrialStore::TrialStore(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::vector<std::filesystem::path> files;

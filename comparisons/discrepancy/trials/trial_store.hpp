@@ -12,9 +12,6 @@
 
 namespace rebound {
 
-/// SHA-256 over names and bytes of all files of one trial: what its outcome is kept under.
-std::string digest_of_trial(const std::filesystem::path& trial);
-
 /// Outcomes of one folder of trials, in stores of results (comparisons/io/result_store): one file a
 /// protocol, trials-DIGEST.sqlite, which holds the protocol as the program of its results.
 ///

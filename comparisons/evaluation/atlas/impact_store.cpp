@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "comparisons/io/result_store/running_program.hpp"
-#include "comparisons/io/results/digest.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"
 #include "comparisons/io/toml/document.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
@@ -51,8 +50,7 @@ ImpactStore::ImpactStore(const std::filesystem::path& file, std::string mesh)
       store_(file, ResultStore::Access::write, program_) {}
 
 std::string ImpactStore::key_of(const FemProblem& problem) const {
-  constexpr std::size_t digits = 32;
-  return sha256(program_ + "\natlas\n" + mesh_ + "\n" + write_toml(problem)).substr(0, digits);
+  return member_key(program_ + "\natlas\n" + mesh_ + "\n" + write_toml(problem));
 }
 
 std::optional<AtlasImpact> ImpactStore::find(const FemProblem& problem) const {

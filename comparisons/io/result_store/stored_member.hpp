@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct MemberResult {
   std::string failure{};                                ///< empty: it ran
   std::vector<TraceColumn> trace{};                     ///< where traces are kept
 };
+
+/// What a result is kept under: 32 digits of the SHA-256 of all that it depends on.
+std::string member_key(std::string_view content);
+
+/// The value of that name; null: the member has none.
+const NamedValue* value_named(const MemberResult& member, std::string_view name);
 
 /// What a campaign was made of, to be read again without its files.
 struct CampaignText {

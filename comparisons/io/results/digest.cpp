@@ -2,9 +2,12 @@
 
 #include <openssl/sha.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
+#include <system_error>
+#include <vector>
 
 #include "lumped/problem/error.hpp"
 
@@ -29,6 +32,21 @@ std::string bytes_of(const std::filesystem::path& file) {
   bytes << in.rdbuf();
   if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
   return bytes.str();
+}
+
+std::string digest_of_folder(const std::filesystem::path& folder) {
+  std::error_code status;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, status))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  if (status)
+    throw Error(ExitCode::input_output_failed, "cannot be read: " + status.message(),
+                {.file = folder.string()});
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const auto& file : files)
+    all += file.lexically_relative(folder).string() + "\n" + sha256(bytes_of(file)) + "\n";
+  return sha256(all);
 }
 
 }  // namespace rebound

@@ -92,7 +92,7 @@ bool may_be_unstable(const Material& material) {
 }
 
 std::string instability_warning(const Material& material, const ShapeHistory& shapes) {
-  if (shapes.positions.empty() || !may_be_unstable(material)) return {};
+  if (shapes.positions.empty() || !material.layers.empty()) return {};
   const StretchRange range = reached_stretches(shapes);
   const auto unstable = unstable_stretch(material, range);
   if (!unstable) return {};
@@ -105,10 +105,10 @@ std::string instability_warning(const Material& material, const ShapeHistory& sh
 FemResult watched_impact(const FemProblem& problem, const Mesh& mesh, const RunControl& control) {
   // Shapes take as long as the rest: they are kept only where a picture or the material asks.
   constexpr int watched_shapes = 24;
+  if (!may_be_unstable(problem.material)) return fem_tier().simulate(problem, mesh, control);
   const bool pictured = problem.controls.shape_frames > 0;
   FemProblem watched = problem;
-  if (!pictured && may_be_unstable(problem.material))
-    watched.controls.shape_frames = watched_shapes;
+  if (!pictured) watched.controls.shape_frames = watched_shapes;
   FemResult result = fem_tier().simulate(watched, mesh, control);
   const std::string warning = instability_warning(problem.material, result.shapes);
   if (!pictured) result.shapes = {};

@@ -59,8 +59,7 @@ MemberResult run_problem(const FemProblem& problem, Keep keep, const RunControl&
 }
 
 std::string key_of(const Campaign& campaign, const std::string& content) {
-  constexpr std::size_t digits = 32;
-  return sha256(campaign.program() + "\n" + content).substr(0, digits);
+  return member_key(campaign.program() + "\n" + content);
 }
 
 /// A refusal that belongs to the member's input; throws what does not.
@@ -173,21 +172,6 @@ std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const st
     made->refusal = refusal_of(error);
   }
   return made;
-}
-
-std::string digest_of_folder(const std::filesystem::path& folder) {
-  std::error_code status;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, status))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  if (status)
-    throw Error(ExitCode::input_output_failed, "cannot be read: " + status.message(),
-                {.file = folder.string()});
-  std::sort(files.begin(), files.end());
-  std::string all;
-  for (const auto& file : files)
-    all += file.lexically_relative(folder).string() + "\n" + sha256(bytes_of(file)) + "\n";
-  return sha256(all);
 }
 
 }  // namespace rebound

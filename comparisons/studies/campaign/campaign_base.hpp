@@ -45,9 +45,6 @@ std::unique_ptr<Campaign::Member> make_member(const Campaign& campaign, const st
                                               std::vector<double> values,
                                               const std::function<MemberWork()>& prepare);
 
-/// Of all files in a folder, their names and bytes: SHA-256. Errors: Error(input_output_failed).
-std::string digest_of_folder(const std::filesystem::path& folder);
-
 /// Gives those numbers whose paths are `factors` their values. Both must outlive it.
 inline EachNumber::Look setting(const std::vector<CampaignFactor>& factors,
                                 const std::vector<double>& values) {

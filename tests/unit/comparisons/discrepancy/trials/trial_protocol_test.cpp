@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "comparisons/discrepancy/trials/trial_store.hpp"
+#include "comparisons/io/results/digest.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/comparisons/discrepancy/trials/trial_examples.hpp"
@@ -52,7 +53,7 @@ TrialRun trials_with(const testing::TemporaryFolder& folder, const std::vector<J
     outcome.protocol = protocol_digest(protocol);
     TrialStore store(outcomes);
     store.write(protocol);
-    store.keep(digest_of_trial(trial), outcome);
+    store.keep(digest_of_folder(trial), outcome);
   }
   return {.folders = {{.data = folder.path(), .outcomes = outcomes}}};
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "comparisons/discrepancy/trials/table_fields.hpp"
+#include "comparisons/io/results/digest.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unit/comparisons/discrepancy/trials/trial_examples.hpp"
@@ -85,13 +86,13 @@ TEST_F(TrialStoreTest, AChangedByteOfAnOutcomeIsRefusedAndTheFileStays) {
 TEST_F(TrialStoreTest, ATrialIsKnownByItsFiles) {
   std::filesystem::create_directories(folder.path() / "trial");
   folder.write("trial/data.csv", "1");
-  const std::string digest = digest_of_trial(folder.path() / "trial");
-  EXPECT_EQ(digest, digest_of_trial(folder.path() / "trial"));
+  const std::string digest = digest_of_folder(folder.path() / "trial");
+  EXPECT_EQ(digest, digest_of_folder(folder.path() / "trial"));
   folder.write("trial/data.csv", "2");
-  EXPECT_NE(digest, digest_of_trial(folder.path() / "trial"));
+  EXPECT_NE(digest, digest_of_folder(folder.path() / "trial"));
   folder.write("trial/data.csv", "1");
   std::filesystem::rename(folder.path() / "trial/data.csv", folder.path() / "trial/other.csv");
-  EXPECT_NE(digest, digest_of_trial(folder.path() / "trial"));
+  EXPECT_NE(digest, digest_of_folder(folder.path() / "trial"));
 }
 
 }  // namespace
