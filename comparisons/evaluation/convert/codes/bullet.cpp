@@ -37,19 +37,24 @@ std::string bullet_lines(const CodeContact& contact) {
 }  // namespace
 
 // btManifoldResult.cpp: stiffnesses in series, dampings added (the wall keeps 1e18 N/m and
-// 0.1 N s/m); btSequentialImpulseConstraintSolver.cpp: cfm = 1/(h k + c), erp = h k/(h k + c), the
-// implicit spring and dashpot.
+// 0.1 N s/m, btCollisionObject.cpp); btSequentialImpulseConstraintSolver.cpp,
+// setupContactConstraint(): cfm = 1/(h k + c), erp = h k/(h k + c), the implicit spring and
+// dashpot. A contact is made before the touch; there the distance d is taken off the speed as d/h.
 OtherCode bullet_code() {
   return {.name = "bullet",
           .title = "Bullet, contact stiffness and damping",
           .convention = "linear-restitution",
           .separation = SeparationRule::zero_force,
           .force = "f = k d + c d', never below 0, at the end of each step",
-          .source = "Bullet, btManifoldResult.cpp and btSequentialImpulseConstraintSolver.cpp",
+          .source =
+              "Bullet, btManifoldResult.cpp, btCollisionObject.cpp and "
+              "btSequentialImpulseConstraintSolver.cpp",
           .cautions = {"set on the ball alone; the wall keeps the defaults, whose damping of "
                        "0.1 N.s/m is taken off",
+                       "deflections have to stay below 40 mm, or SolverInfo's m_splitImpulse off: "
+                       "deeper, the spring moves the ball and leaves its speed alone",
                        "errors below are those of its steps, too"},
-          .stepping = ContactStepping::implicit,
+          .stepping = ContactStepping::predicted,
           .settings = bullet_settings,
           .lines = bullet_lines};
 }

@@ -15,6 +15,7 @@ std::vector<ConvertedParameter> chrono_settings(const CodeContact& contact) {
 std::string chrono_lines(const CodeContact& contact) {
   return fmt::format(
       "ChSystemSMC sys;\n"
+      "sys.SetCollisionSystemType(ChCollisionSystem::Type::BULLET);\n"
       "sys.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
       "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({:.9g});\n"
       "auto mat = chrono_types::make_shared<ChContactMaterialSMC>();\n"
@@ -24,7 +25,8 @@ std::string chrono_lines(const CodeContact& contact) {
       "mat->SetFriction(0.0f);\n"
       "mat->SetAdhesion(0.0f);\n"
       "auto ball = chrono_types::make_shared<ChBodyEasySphere>({:.9g}, {:.9g}, true, true, mat);\n"
-      "ball->SetPosDt(ChVector3d(0, -{:.9g}, 0));\n",
+      "ball->SetPosDt(ChVector3d(0, -{:.9g}, 0));\n"
+      "sys.AddBody(ball);\n",
       contact.sphere.radius(), modulus_of_both(contact.hertz_modulus()), material_poisson_ratio,
       contact.asked_restitution(), contact.sphere.radius(), contact.sphere.density(),
       contact.speed);

@@ -30,8 +30,10 @@ std::string drake_lines(const CodeContact& contact) {
 }  // namespace
 
 // Tags and units: Drake's list of its SDFormat and URDF tags (multibody/parsing/
-// parsing_doxygen.h); the model: "Compliant Point Contact" of its documentation of contacts, k =
-// k₁ k₂/(k₁ + k₂), d weighted by the other's stiffness, f = k x (1 + d x')₊.
+// parsing_doxygen.h); the model: "Compliant Point Contact" of its documentation of contacts,
+// f = k x (1 + d x')₊; how two bodies combine: multibody/plant/contact_properties.h, k =
+// k₁ k₂/(k₁ + k₂), d = k₂/(k₁ + k₂) d₁ + k₁/(k₁ + k₂) d₂, so that two alike keep d and halve k.
+// Both say it, for a body that says nothing has the defaults of SceneGraphConfig.
 OtherCode drake_code() {
   return {.name = "drake",
           .title = "Drake, compliant point contact with Hunt-Crossley dissipation",
@@ -40,8 +42,9 @@ OtherCode drake_code() {
           .force = "f = k d (1 + D d'), never below 0",
           .source =
               "Drake documentation, Compliant Point Contact; "
-              "multibody/parsing/parsing_doxygen.h",
+              "multibody/parsing/parsing_doxygen.h; multibody/plant/contact_properties.h",
           .cautions = {"both bodies have the stiffness below, which is twice that of the contact",
+                       "errors below are those of a continuous plant (time_step 0)",
                        "a discrete plant honours the dissipation with the contact approximations "
                        "tamsi, similar and lagged, not with sap, which takes a relaxation time"},
           .stepping = {},

@@ -7,8 +7,13 @@ namespace {
 
 std::string sdf_lines(const CodeContact& contact) {
   return fmt::format(
-      "<!-- in the collision of the ball; in the world: "
-      "<physics type=\"ode\"><max_step_size>{:.9g}</max_step_size></physics> -->\n"
+      "<!-- in the world -->\n"
+      "<physics type=\"ode\">\n"
+      "  <max_step_size>{:.9g}</max_step_size>\n"
+      "  <ode><constraints><contact_max_correcting_vel>{:.4g}</contact_max_correcting_vel>"
+      "</constraints></ode>\n"
+      "</physics>\n"
+      "<!-- in the collision of the ball -->\n"
       "<surface>\n"
       "  <bounce><restitution_coefficient>0</restitution_coefficient></bounce>\n"
       "  <friction><ode><mu>0</mu><mu2>0</mu2></ode></friction>\n"
@@ -16,12 +21,13 @@ std::string sdf_lines(const CodeContact& contact) {
       "    <ode>\n"
       "      <kp>{:.9g}</kp>\n"
       "      <kd>{:.9g}</kd>\n"
-      "      <max_vel>{:.9g}</max_vel>\n"
+      "      <max_vel>{:.4g}</max_vel>\n"
       "      <min_depth>0</min_depth>\n"
       "    </ode>\n"
       "  </contact>\n"
       "</surface>\n",
-      contact.step, contact.at("stiffness"), gazebo_kd(contact), 100.0 * contact.speed);
+      contact.step, gazebo_max_speed(contact), contact.at("stiffness"), gazebo_kd(contact),
+      gazebo_max_speed(contact));
 }
 
 }  // namespace

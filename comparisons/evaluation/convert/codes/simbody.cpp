@@ -7,9 +7,10 @@
 namespace rebound {
 namespace {
 
-/// Both surfaces have K, so that k = K/2 in f = (4/3) k^1.5 √R x^1.5 (1 + 1.5 c x').
+/// Both surfaces are given E, which Simbody raises to K = E^(2/3) itself; then k = K/2 in
+/// f = (4/3) k^1.5 √R x^1.5 (1 + 1.5 c x'), so that k^1.5 = E/2^1.5 is to be E*.
 double simbody_stiffness(const CodeContact& contact) {
-  return 2.0 * std::pow(contact.hertz_modulus(), 2.0 / 3.0);
+  return std::pow(2.0, 1.5) * contact.hertz_modulus();
 }
 
 double simbody_dissipation(const CodeContact& contact) {
@@ -17,7 +18,7 @@ double simbody_dissipation(const CodeContact& contact) {
 }
 
 std::vector<ConvertedParameter> simbody_settings(const CodeContact& contact) {
-  return {{"stiffness", simbody_stiffness(contact), "Pa^(2/3)"},
+  return {{"stiffness", simbody_stiffness(contact), "Pa"},
           {"dissipation", simbody_dissipation(contact), "s/m"}};
 }
 
@@ -34,15 +35,17 @@ std::string simbody_lines(const CodeContact& contact) {
 }  // namespace
 
 // Simbody/src/HuntCrossleyForce.cpp: k = k₁ k₂/(k₁ + k₂), c weighted, f = (4/3) k x √(R k x)
-// (1 + 1.5 c x'), no less than zero.
+// (1 + 1.5 c x'), no less than zero; HuntCrossleyForceImpl.h, Parameters: what is set is raised to
+// the power 2/3 before that.
 OtherCode simbody_code() {
   return {.name = "simbody",
           .title = "Simbody, HuntCrossleyForce",
           .convention = "hunt-crossley/exact",
           .separation = SeparationRule::zero_force,
           .force = "f = 4/3 k d sqrt(R k d) (1 + 1.5 c d')",
-          .source = "Simbody, Simbody/src/HuntCrossleyForce.cpp",
-          .cautions = {"stiffness is a modulus to the power 2/3, not a modulus"},
+          .source = "Simbody, Simbody/src/HuntCrossleyForce.cpp and HuntCrossleyForceImpl.h",
+          .cautions =
+              {"both surfaces have the stiffness below, a modulus: two of one give E*/2^1.5 of it"},
           .stepping = {},
           .settings = simbody_settings,
           .lines = simbody_lines};

@@ -36,8 +36,10 @@ std::string yade_lines(const CodeContact& contact) {
 }  // namespace
 
 // pkg/dem/HertzMindlin.cpp: kno = (4/3) E √R with R = R₁ R₂/(R₁ + R₂) and
-// α = −√(5/6) 2 ln e/√(ln² e + π²) √(2 E √R); a viscous force above the elastic one is cut.
-// pkg/dem/Ig2_Facet_Sphere_ScGeom.cpp gives a wall the radius of the sphere: R is half of it.
+// α = −√(5/6) 2 ln e/√(ln² e + π²) √(2 E √R), times √m δ^¼ with the mass of the one body that
+// moves; a viscous force above the elastic one is cut (old versions let the force pull).
+// pkg/dem/Ig2_Facet_Sphere_ScGeom.cpp gives a wall (utils.wall) the radius of the sphere: R is half
+// of it. A facet has had twice the sphere's radius in old versions: 2/3 of it.
 OtherCode yade_code() {
   return {.name = "yade",
           .title = "Yade, Law2_ScGeom_MindlinPhys_Mindlin",

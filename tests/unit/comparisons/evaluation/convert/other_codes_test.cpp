@@ -129,7 +129,7 @@ TEST(OtherCodesTest, SettingsMeanTheLawInTheCodesOwnFormula) {
 TEST(OtherCodesTest, DissipationsMeanTheLawToo) {
   const double x = 2e-3, v = 3.0, radius = test::core_a().radius();
   const CodeConversion simbody = convert_to_code(other_code("simbody"), request_of_law(), {});
-  const double k = setting(simbody, "stiffness") / 2.0;
+  const double k = std::pow(setting(simbody, "stiffness"), 2.0 / 3.0) / 2.0;
   const double hertz = 4.0 / 3.0 * k * x * std::sqrt(radius * k * x);
   const auto& hc = simbody.contact.values;
   EXPECT_NEAR(hertz * (1.0 + 1.5 * setting(simbody, "dissipation") * v) /
@@ -189,7 +189,8 @@ TEST(SteppedContactTest, TendsToTheLawAtFirstOrder) {
   const LinearKelvinVoigt law{.stiffness = 2e5, .damping = 40.0};
   const KelvinVoigtImpact exact(law, {.mass = 0.0896, .speed = 15.0});
   const double e = exact.restitution(SeparationRule::zero_force);
-  for (const auto stepping : {ContactStepping::implicit, ContactStepping::semi_implicit}) {
+  for (const auto stepping :
+       {ContactStepping::implicit, ContactStepping::predicted, ContactStepping::semi_implicit}) {
     double last = 0.0;
     for (const double step : {4e-6, 2e-6, 1e-6}) {
       const Observed found = stepped_impact({.mass = 0.0896,
@@ -207,6 +208,30 @@ TEST(SteppedContactTest, TendsToTheLawAtFirstOrder) {
     }
     EXPECT_LT(last, 2e-3);
   }
+}
+
+// A first step from before the touch, as Bullet sets up its constraint: the speed that is left for
+// the impulse is v - d/h, and erp and cfm are those of the spring and dashpot.
+TEST(SteppedContactTest, APredictedContactIsThatOfBullet) {
+  const double m = 0.3, h = 1e-3, k = 4e4, c = 25.0, v = 6.0, late = 0.4;
+  const double distance = (1.0 - late) * h * v, cfm = 1.0 / (h * k + c), erp = h * k * cfm;
+  double x = -distance, speed = v, peak = 0.0;
+  do {
+    const double asked = x < 0.0 ? speed + x / h : speed + erp * x / h;
+    const double impulse = std::max(0.0, asked / (1.0 / m + cfm / h));
+    peak = std::max(peak, impulse / h);
+    speed -= impulse / m;
+    x += h * speed;
+  } while (x > 0.0);
+  const Observed found = stepped_impact({.mass = m,
+                                         .speed = v,
+                                         .spring = k,
+                                         .dashpot = c,
+                                         .step = h,
+                                         .late = late,
+                                         .stepping = ContactStepping::predicted});
+  EXPECT_NEAR(*found.restitution, -speed / v, 1e-12);
+  EXPECT_NEAR(*found.peak_force / peak, 1.0, 1e-12);
 }
 
 TEST(SteppedContactTest, ALateTouchBouncesHigher) {

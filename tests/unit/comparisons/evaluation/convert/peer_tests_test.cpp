@@ -136,37 +136,6 @@ TEST(PeerTest, LetheMixesDiameterAndRadius) {
   EXPECT_NEAR(hertz_restitution(zeta * std::pow(2.0, 0.25), tension_kept), 0.882268, 1e-4);
 }
 
-// The usual relation of dampratio and restitution keeps a tension that a contact does not have:
-// 0.75 asked for returns 0.763 however short the step. The rest is the step: with the default time
-// constant (20 ms) and step (2 ms) the contact has three of them, a touch is found late by a part
-// of one, and the restitution scatters from 0.62 to 1.04. Five steps suffice for 0.82. The
-// discussion gives neither step nor height, so that more than that cannot be said.
-TEST(PeerTest, MujocoCutsTensionAndStepsThroughTheContact) {
-  const double zeta = asked_zeta(0.75);
-  EXPECT_NEAR(kelvin_voigt_restitution(zeta, tension_cut), 0.7626, 5e-5);
-  const auto scatter = [&](double step) {  // over places of the touch, in 1/omega
-    std::pair<double, double> range{2.0, 0.0};
-    for (int place = 0; place <= 20; ++place) {
-      const double e = *stepped_impact({.mass = 1.0,
-                                        .speed = 1.0,
-                                        .spring = 1.0,
-                                        .dashpot = 2.0 * zeta,
-                                        .step = step,
-                                        .late = 0.05 * place,
-                                        .stepping = ContactStepping::semi_implicit})
-                            .restitution;
-      range = {std::min(range.first, e), std::max(range.second, e)};
-    }
-    return range;
-  };
-  EXPECT_NEAR(scatter(pi / 2000.0).first, 0.7626, 1e-3);
-  EXPECT_NEAR(scatter(pi / 2000.0).second, 0.7626, 1e-3);
-  EXPECT_GT(scatter(pi / 5.0).second, 0.82);
-  const auto [lowest, highest] = scatter(2e-3 / (20e-3 * zeta));
-  EXPECT_NEAR(lowest, 0.62, 0.005);
-  EXPECT_NEAR(highest, 1.04, 0.005);
-}
-
 // Balls of 1 mm, 2000 kg/m^3, E* 1e8 Pa, A 1e-5 s: half the mass, half the radius.
 TEST(PeerTest, MercuryDpmViscoelasticSpheres) {
   const double mass = 0.5 * sphere_mass(2000.0, 1e-3);
@@ -228,7 +197,8 @@ TEST(PeerTest, MooseStaticContact) {
   EXPECT_NEAR(law.force(0.01, 0.0), force, 1e-8 * force);
 }
 
-// A row that is added to the file is a test that is missing here.
+// A row that is added to the file is a test that is missing here or, MuJoCo's, in
+// mujoco_record_test.cpp.
 TEST(PeerTest, EveryRowIsHere) {
   std::ifstream file(REBOUND_PEER_TESTS);
   std::multiset<std::string> peers;
