@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "tests/support/run_program.hpp"
@@ -55,6 +56,35 @@ TEST_F(CoverageCampaign, KilledAndTwiceAtATimeItGivesTheSameTable) {
             std::string::npos)
       << known.output;
   EXPECT_EQ(read_whole(folder.path() / "again.csv"), table) << "what a table has is not run again";
+}
+
+// The table grows with each family: stopped after the first, and once by a kill, it holds what was
+// complete, and is that of a run in one go once the rest is there, whatever store that is.
+TEST_F(CoverageCampaign, StoppedItHasWhatWasCompleteInItsTable) {
+  ASSERT_EQ(run("whole.sqlite", "whole.csv").exit_code, 0);
+  const std::string whole = read_whole(folder.path() / "whole.csv");
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const std::string name = std::to_string(signal);
+    const pid_t child = start(name + ".sqlite", name + ".csv");
+    const auto table = folder.path() / (name + ".csv");
+    for (int i = 0; i < 6000 && !std::filesystem::exists(table); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (signal == SIGKILL)
+      EXPECT_TRUE(WIFSIGNALED(status));
+    else
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
+    const std::string part = read_whole(table);
+    EXPECT_GT(part.size(), part.find('\n') + 1) << "no family but the heading";
+    EXPECT_LT(part.size(), whole.size()) << "it was done before the signal";
+    std::istringstream lines(part);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_NE(whole.find(line + "\n"), std::string::npos) << line;
+    ASSERT_EQ(run("other-" + name + ".sqlite", name + ".csv").exit_code, 0);
+    EXPECT_EQ(read_whole(table), whole);
+  }
 }
 
 TEST_F(CoverageCampaign, ADamagedStoreIsRefusedAndLeftAsItIs) {

@@ -1,17 +1,22 @@
 // Runs what a table of bars lacks: the families of `rebound fem --reference`, fine families that
 // are the truth, and nine-node families that hold the truth. Each is kept in a store of results as
-// it ends, so that a kill costs what was running; the table is written at the end.
+// it ends, and the table is written anew with it, so that a kill or Ctrl-C costs what was running.
 //
 //   build/coverage_campaign STORE comparisons/accuracy/numerical_error/error_bars/coverage.csv
 #include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string_view>
+#include <thread>
 #include <tuple>
 
 #include "comparisons/accuracy/numerical_error/coverage_store.hpp"
@@ -53,26 +58,50 @@ class CoverageCampaign {
     for (const CoverageRow& row : rows_) in_table_.insert(name_of(row));
   }
 
-  /// The table is written when all families that it lacks are there.
+  /// The table is written with every family that it lacked.
   void run(const std::vector<PlannedFamily>& planned) {
     std::vector<const PlannedFamily*> missing;
-    for (const PlannedFamily& family : planned)
+    for (const PlannedFamily& family : planned) {
+      place_.emplace(name_of(family.row), place_.size());
       if (!in_table_.contains(name_of(family.row))) missing.push_back(&family);
-    std::vector<MemberResult> results(missing.size());
-    in_parallel(missing.size(),
-                [&](std::size_t i) { results[i] = found_or_run(*missing[i], missing.size()); });
-    for (std::size_t i = 0; i < missing.size(); ++i)
-      for (CoverageRow& row : rows_of(results[i], missing[i]->row)) rows_.push_back(std::move(row));
-    std::string text = coverage_heading() + "\n";
-    for (const CoverageRow& row : rows_) text += to_csv(row);
-    write_file_atomically(table_, text);
+    }
+    in_parallel(missing.size(), [&](std::size_t i) {
+      const MemberResult result = found_or_run(*missing[i], missing.size());
+      add_to_table(rows_of(result, missing[i]->row));
+    });
     fmt::print("{} families in the table before, {} found in the store, {} run, {} of all failed\n",
                in_table_.size(), found_, run_, failed_);
+  }
+
+  /// Ends the program between two writes: what is complete is in store and table.
+  [[noreturn]] void stop() {
+    const std::lock_guard lock(guard_);
+    fmt::print(stderr, "stopped; the table has {} of {} families, the same command goes on\n",
+               in_table_.size() + static_cast<std::size_t>(added_), place_.size());
+    ::_exit(static_cast<int>(ExitCode::interrupted));
   }
 
  private:
   using Name = std::tuple<int, FamilyUse, int>;
   static Name name_of(const CoverageRow& row) { return {row.number, row.use, row.cells}; }
+
+  /// In the order of the plan, whatever ended first and however often it was begun anew; rows of
+  /// another plan stay before them.
+  void add_to_table(const std::vector<CoverageRow>& rows) {
+    const std::lock_guard lock(guard_);
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    const auto place = [&](const CoverageRow& row) {
+      const auto found = place_.find(name_of(row));
+      return found == place_.end() ? 0 : 1 + found->second;
+    };
+    std::stable_sort(rows_.begin(), rows_.end(), [&](const CoverageRow& a, const CoverageRow& b) {
+      return place(a) < place(b);
+    });
+    std::string text = coverage_heading() + "\n";
+    for (const CoverageRow& row : rows_) text += to_csv(row);
+    write_file_atomically(table_, text);
+    ++added_;
+  }
 
   MemberResult found_or_run(const PlannedFamily& family, std::size_t missing) {
     const CoverageRow& row = family.row;
@@ -106,9 +135,25 @@ class CoverageCampaign {
   std::mutex guard_;
   ResultStore store_;
   std::vector<CoverageRow> rows_;
-  std::set<Name> in_table_;
-  int found_ = 0, run_ = 0, failed_ = 0;
+  std::set<Name> in_table_;            ///< before this run
+  std::map<Name, std::size_t> place_;  ///< in the plan
+  int found_ = 0, run_ = 0, failed_ = 0, added_ = 0;
 };
+
+/// Ctrl-C and SIGTERM come to one thread that waits for them; all others, begun later, have them
+/// blocked.
+void stop_when_asked(CoverageCampaign& campaign) {
+  sigset_t asked;
+  sigemptyset(&asked);
+  sigaddset(&asked, SIGINT);
+  sigaddset(&asked, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &asked, nullptr);
+  std::thread([asked, &campaign] {
+    int signal = 0;
+    ::sigwait(&asked, &signal);
+    campaign.stop();
+  }).detach();
+}
 
 }  // namespace
 }  // namespace rebound
@@ -124,6 +169,7 @@ int main(int count, char** arguments) try {
   const std::filesystem::path folder = std::filesystem::path(arguments[1]).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   rebound::CoverageCampaign campaign(arguments[1], arguments[2]);
+  rebound::stop_when_asked(campaign);
   campaign.run(to_try ? rebound::families_to_try() : rebound::planned_families());
   return 0;
 } catch (const rebound::Error& error) {
