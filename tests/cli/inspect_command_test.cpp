@@ -59,6 +59,19 @@ TEST_F(InspectCommand, WhatNobodySaidIsAskedForWithFileLineAndKey) {
   EXPECT_EQ(rebound({"init", "dataset", "--from", "rec.csv"}).exit_code, 2);  // not overwritten
 }
 
+// What is not used is named, and no unit is guessed where the heading states one that is not known.
+TEST_F(InspectCommand, AGuessNamesTheColumnsThatItDoesNotUse) {
+  std::string text = "time [ms],force [tonf],load [lbf],stroke [mil],Kommentar\n";
+  for (int i = 0; i < 30; ++i) text += std::to_string(i) + ",1.0,2.0,3.0,ok\n";
+  folder.write("r.csv", text);
+  ASSERT_EQ(rebound({"init", "dataset", "--from", "r.csv"}).exit_code, 0);
+  const std::string manifest = read_whole(folder.path() / "r/dataset.toml");
+  for (const char* part :
+       {"# not used, force [tonf]: its unit is not known", "force = \"load [lbf]\"",
+        "deflection = \"stroke [mil]\"", "# not used, Kommentar: not all of it is numbers"})
+    EXPECT_NE(manifest.find(part), std::string::npos) << part << "\n" << manifest;
+}
+
 TEST_F(InspectCommand, ATableOfBallsBecomesAFolderABall) {
   folder.write("t.csv",
                "ball;drop [cm];rebound [cm];rebound_sd [cm];repeats\n"

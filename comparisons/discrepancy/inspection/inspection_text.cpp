@@ -10,11 +10,16 @@ std::string with_error(double value, const std::optional<double>& error) {
   return error ? fmt::format("{:.5g} +- {:.2g}", value, *error) : fmt::format("{:.5g}", value);
 }
 
+std::string interval_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.4g} us", 1e6 * seconds);
+  return seconds < 1.0 ? fmt::format("{:.4g} ms", 1e3 * seconds) : fmt::format("{:.4g} s", seconds);
+}
+
 std::string shot_text(const InspectedShot& shot) {
   std::string text = fmt::format("{}\n", shot.label);
   if (shot.samples > 0)
-    text += fmt::format("  record    {} samples, {} in contact, every {:.4g} us\n", shot.samples,
-                        shot.samples_in_contact, 1e6 * shot.interval);
+    text += fmt::format("  record    {} samples, {} in contact, every {}\n", shot.samples,
+                        shot.samples_in_contact, interval_text(shot.interval));
   for (const InspectedNumber& number : shot.numbers)
     text += fmt::format("  {:<36}{}\n", number.key, with_error(number.value, number.uncertainty));
   for (const FilteredPeak& one : shot.filters)

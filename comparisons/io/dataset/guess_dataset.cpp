@@ -52,7 +52,9 @@ std::string head_of(const std::filesystem::path& file, const TablePreview& previ
 
 std::string channels_section(const TablePreview& preview, const TraceGuess& trace,
                              const RecordGuess& record) {
-  std::string text = "[channels]\n";
+  std::string text;
+  for (const std::string& remark : trace.remarks) text += "# not used, " + remark + "\n";
+  text += "[channels]\n";
   std::string units;
   const auto add = [&](const char* key, const char* unit_key, const ChannelGuess& channel) {
     text += entry(key, preview.headings[channel.column].text, guessed_mark);

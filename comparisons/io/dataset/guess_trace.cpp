@@ -7,6 +7,7 @@
 #include <string>
 
 #include "comparisons/io/dataset/contact_window.hpp"
+#include "comparisons/io/laboratory/row_window.hpp"
 
 namespace rebound {
 namespace {
@@ -20,6 +21,13 @@ bool starts_like(const std::string& name, const std::vector<std::string>& starts
   });
 }
 
+/// "Kraft [tonf]": what stands in the brackets is no unit that is known, so that none is guessed.
+bool states_unknown_unit(const ColumnHeading& heading) {
+  const std::size_t open = heading.text.rfind('[');
+  return heading.unit.empty() && open != std::string::npos && heading.text.ends_with(']') &&
+         heading.text.find_first_not_of("[]?- ", open) != std::string::npos;
+}
+
 std::optional<ChannelGuess> guess_channel(const TablePreview& preview, std::size_t i) {
   if (!preview.is_number[i]) return std::nullopt;
   const ColumnHeading& heading = preview.headings[i];
@@ -30,12 +38,30 @@ std::optional<ChannelGuess> guess_channel(const TablePreview& preview, std::size
     if (!unit) return std::nullopt;
     return ChannelGuess{i, unit->dimension, false};
   }
+  if (states_unknown_unit(heading)) return std::nullopt;
   if (starts_like(heading.name, {"time", "t", "zeit"}))
     return ChannelGuess{i, dimension::time, true};
   if (starts_like(heading.name, {"force", "f", "kraft", "load"}))
     return ChannelGuess{i, dimension::force, true};
   if (named_acceleration) return ChannelGuess{i, dimension::acceleration, true};
   return std::nullopt;
+}
+
+std::vector<std::string> columns_not_used(const TablePreview& preview, const TraceGuess& guess) {
+  std::vector<std::string> remarks;
+  for (std::size_t i = 0; i < preview.headings.size(); ++i) {
+    const auto is_here = [&](const ChannelGuess& channel) { return channel.column == i; };
+    if (is_here(guess.time) || (guess.deflection && is_here(*guess.deflection)) ||
+        std::any_of(guess.forces.begin(), guess.forces.end(), is_here))
+      continue;
+    const ColumnHeading& heading = preview.headings[i];
+    remarks.push_back(heading.text + (!preview.is_number[i]          ? ": not all of it is numbers"
+                                      : states_unknown_unit(heading) ? ": its unit is not known"
+                                      : heading.unit.empty()
+                                          ? ": no known name, and no unit"
+                                          : ": another one is, or another kind"));
+  }
+  return remarks;
 }
 
 }  // namespace
@@ -67,6 +93,7 @@ std::optional<TraceGuess> guess_trace(const TablePreview& preview) {
     std::erase_if(guess.forces, [](const ChannelGuess& one) {
       return !same_dimension(one.dimension, dimension::force);
     });
+  guess.remarks = columns_not_used(preview, guess);
   return guess;
 }
 
@@ -86,7 +113,8 @@ RecordGuess look_at_record(const std::filesystem::path& file, const TablePreview
   };
   WantedColumn time = wanted(trace.time);
   time.increases = true;
-  LaboratoryTable table = read_laboratory_table(file, {time, wanted(trace.forces.front())});
+  LaboratoryTable table =
+      read_laboratory_table(file, {time, wanted(trace.forces.front())}, rows_of_a_record(1));
   std::vector<double>& force = table.columns[1].numbers;
   RecordGuess guess;
   const std::size_t tenth = std::max<std::size_t>(force.size() / 10, 2);
@@ -103,7 +131,7 @@ RecordGuess look_at_record(const std::filesystem::path& file, const TablePreview
   const double peak = *std::max_element(force.begin(), force.end());
   if (peak > 0.0)
     guess.long_record =
-        20 * contact_window(force, clearly_in_contact * peak).count() < force.size();
+        20 * contact_window(force, clearly_in_contact * peak).count() < table.rows_read;
   return guess;
 }
 

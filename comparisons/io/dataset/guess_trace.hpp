@@ -21,6 +21,7 @@ struct TraceGuess {
   ChannelGuess time;
   std::vector<ChannelGuess> forces;  ///< of one kind: forces where there are any, or accelerations
   std::optional<ChannelGuess> deflection;
+  std::vector<std::string> remarks;  ///< columns that are not used, and why
 };
 
 /// Nothing where no time stands beside a force or an acceleration in 20 rows or more.

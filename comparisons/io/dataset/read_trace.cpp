@@ -5,6 +5,7 @@
 
 #include "comparisons/io/dataset/data_files.hpp"
 #include "comparisons/io/laboratory/laboratory_table.hpp"
+#include "comparisons/io/laboratory/row_window.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -29,7 +30,7 @@ WantedColumn wanted_force(const TraceChannels& channels, const MeasuredImpact& s
 }
 
 /// Of a record of any length: a contact and its quiet are far shorter.
-constexpr KeptRows kept_rows{.column = 1, .before = 400'000, .after = 200'000};
+constexpr KeptRows kept_rows = rows_of_a_record(1);
 
 }  // namespace
 

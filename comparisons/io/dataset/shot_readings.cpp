@@ -33,7 +33,9 @@ Speed rebound_of(const ShotReadings& read, const FreeFall& fall) {
   return std::nullopt;
 }
 
-/// A number that follows from readings, with its standard deviation by central differences.
+/// A number that follows from readings, with its standard deviation by central differences. A
+/// reading that cancels, as the distance of gates does in a restitution, leaves rounding alone:
+/// that is no uncertainty, and would weigh without bound in a fit.
 Measured derived_from(const ShotReadings& read,
                       const std::function<Speed(const ShotReadings&)>& number) {
   Measured result;
@@ -48,7 +50,8 @@ Measured derived_from(const ShotReadings& read,
     (above.*quantity.member).value = *one.value + share * *one.uncertainty;
     (below.*quantity.member).value = *one.value - share * *one.uncertainty;
     const double change = (*number(above) - *number(below)) / (2.0 * share);
-    variance += change * change;
+    constexpr double rounding = 1e-11;
+    if (std::abs(change) > rounding * std::abs(*result.value)) variance += change * change;
   }
   if (variance > 0.0) result.uncertainty = std::sqrt(variance / read.repeats.value_or(1.0));
   return result;

@@ -7,6 +7,11 @@
 
 namespace rebound {
 
+/// What is kept of the record of an impact, around its largest force.
+constexpr KeptRows rows_of_a_record(std::size_t force_column) {
+  return {.column = force_column, .before = 400'000, .after = 200'000};
+}
+
 /// Of a table of any length, keeps the rows around the largest swing of one column from its first
 /// number, while the table is read.
 ///

@@ -31,10 +31,11 @@ constexpr std::array<Symbol, 8> symbols{{
 }};
 
 /// Both code points that are printed as µ are accepted.
-constexpr std::array<std::pair<std::string_view, int>, 8> prefixes{{
+constexpr std::array<std::pair<std::string_view, int>, 9> prefixes{{
     {"k", 3},
     {"M", 6},
     {"G", 9},
+    {"c", -2},
     {"m", -3},
     {"u", -6},
     {"\u00b5", -6},
@@ -62,7 +63,7 @@ Unit parse_symbol(std::string_view name) {
     }
   }
   refuse(fmt::format(
-      "\"{}\" is not a unit known here (m s g N Pa Hz J, with prefixes k M G m u µ n)", name));
+      "\"{}\" is not a unit known here (m s g N Pa Hz J, with prefixes k M G c m u µ n)", name));
 }
 
 /// The whole of `text` as a number, or nothing.

@@ -20,7 +20,7 @@ struct Unit {
 ///   unit    = product { "/" product }        every product after a "/" divides
 ///   product = atom { "." atom }
 ///   atom    = [prefix] symbol [ "^" number ]
-///   symbol  = m s g N Pa Hz J,   prefix = k M G m u µ n
+///   symbol  = m s g N Pa Hz J,   prefix = k M G c m u µ n
 ///
 /// Empty text is the dimensionless unit.
 /// Errors: Error(bad_input) naming the part that is not understood.

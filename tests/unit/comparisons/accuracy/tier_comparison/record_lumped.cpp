@@ -1,12 +1,12 @@
-// Records baselines of the lumped tier, compiled without optimisation: what stands beside the
-// records of the program as it is.  usage: record_unoptimised TIERS-FOLDER BASELINES-FOLDER
+// Records baselines of the lumped tier as another build has it: what stands beside the records of
+// the program as it is.  usage: record_... TIERS-FOLDER BASELINES-FOLDER
 #include <exception>
 #include <iostream>
 
 #include "comparisons/accuracy/tier_comparison/baseline.hpp"
 #include "tests/unit/comparisons/accuracy/tier_comparison/lumped_cases.hpp"
 
-#ifdef __OPTIMIZE__
+#if defined(UNOPTIMISED) && defined(__OPTIMIZE__)
 #error "this program is to be compiled without optimisation"
 #endif
 

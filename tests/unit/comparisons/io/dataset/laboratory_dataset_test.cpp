@@ -123,6 +123,22 @@ next_flight_time = "0.6 s"
   EXPECT_EQ(again.shots[1].restitution.uncertainty, dataset.shots[1].restitution.uncertainty);
 }
 
+// The distance of the gates cancels in their ratio: what differences leave of it is rounding, and a
+// fit that weighed by it would see this shot alone.
+TEST(ShotReadingsTest, AnUncertaintyThatCancelsIsNone) {
+  const TemporaryFolder folder;
+  const Dataset dataset = read(folder, R"(
+[[shot]]
+gate_distance = "200 mm"
+gate_distance_uncertainty = "0.5 mm"
+gate_time = "20 ms"
+rebound_gate_time = "27 ms"
+)");
+  EXPECT_NEAR(*dataset.shots[0].restitution.value, 20.0 / 27.0, 1e-12);
+  EXPECT_FALSE(dataset.shots[0].restitution.uncertainty.has_value());
+  EXPECT_NEAR(*dataset.shots[0].speed_uncertainty, 10.0 * 0.5 / 200.0, 1e-9);
+}
+
 TEST(ShotReadingsTest, AirRaisesTheRestitutionOfADrop) {
   const TemporaryFolder folder;
   const std::string shot = "[[shot]]\ndrop_height = \"2 m\"\nrebound_height = \"1 m\"\n";

@@ -156,6 +156,11 @@ TEST(LaboratoryUnitsTest, FactorsAreThoseOfTheirDefinitions) {
   EXPECT_DOUBLE_EQ(find_unit("mph")->factor, 0.44704);
   EXPECT_DOUBLE_EQ(find_unit("lbf")->factor, 4.4482216152605);
   EXPECT_DOUBLE_EQ(find_unit("in")->factor, 0.0254);
+  EXPECT_DOUBLE_EQ(find_unit("mil")->factor, 25.4e-6);
+  EXPECT_DOUBLE_EQ(find_unit("yd")->factor, 0.9144);
+  EXPECT_DOUBLE_EQ(find_unit("ozf")->factor, 0.45359237 / 16.0 * 9.80665);
+  EXPECT_DOUBLE_EQ(find_unit("gf")->factor, 0.00980665);
+  EXPECT_DOUBLE_EQ(find_unit("dyn")->factor, 1e-5);
   EXPECT_DOUBLE_EQ(find_unit("km/h")->factor, 1.0 / 3.6);
   EXPECT_DOUBLE_EQ(find_unit("g")->factor, 1e-3);
   for (const char* text : {"m/s\u00b2", "m/s2", "m s^-2", "m/s^2", "m_s2"}) {

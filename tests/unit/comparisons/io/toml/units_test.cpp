@@ -26,7 +26,8 @@ TEST(UnitsTest, ReadsEveryUnitOfTheContract) {
 }
 
 TEST(UnitsTest, PrefixAndExponentGiveTheSameBits) {
-  for (const char* text : {"66.2 mm", "66200 um", "0.0662 m", "6.62e-2 m", "0.0000662 km"})
+  for (const char* text :
+       {"66.2 mm", "66200 um", "0.0662 m", "6.62e-2 m", "0.0000662 km", "6.62 cm"})
     EXPECT_EQ(parse_quantity(text, dimension::length), 0.0662) << text;
 }
 
