@@ -36,6 +36,17 @@ test("every figure is drawn, with a unit on each axis", () => withPage(demo, 128
   assert.equal(plots[0].y, "force (kN)");
 }));
 
+test("marks are those of the legend: filled where measured, open where not", () => withPage(demo, 1280, async ({ page }) => {
+  const marked = await page.$$eval(".plot", (plots) => plots.flatMap((plot) => plot.data)
+    .filter((trace) => trace.mode === "markers")
+    .map((trace) => ({ symbol: trace.marker.symbol, measured: /, measured</.test(trace.hovertemplate) })));
+  assert.ok(marked.length > 0, "no points are drawn");
+  for (const { symbol, measured } of marked) {
+    assert.ok(symbol, "the library's own mark");
+    assert.equal(symbol.endsWith("-open"), !measured, symbol);
+  }
+}));
+
 test("a click on a matrix cell shows its overlay", () => withPage(demo, 1280, async ({ page, complaints }) => {
   const before = await curvesOf(page);
   assert.equal(await page.getAttribute(".overlays", "data-shown"), "ball P/15");

@@ -46,21 +46,24 @@ Json gap_json(const TierGap& one) {
           {"fails", one.fails()}};
 }
 
+/// Three digits, whole numbers from there on, as they are said: "+3.82", "-6080".
+std::string bars_text(double bars) {
+  return std::abs(bars) < 1000.0 ? fmt::format("{:+.3g}", bars) : fmt::format("{:+.0f}", bars);
+}
+
 std::string movement_text(const Movement& one) {
-  return fmt::format("{} has moved: {} at {:g} m/s from {:.6g} to {:.6g}, {:+.3g} bars of {}",
-                     one.tier, one.key, one.speed, one.before, one.now, one.bars(),
+  return fmt::format("{} has moved: {} at {:g} m/s from {:.6g} to {:.6g}, {} bars of {}", one.tier,
+                     one.key, one.speed, one.before, one.now, bars_text(one.bars()),
                      name_of(one.measured_by));
 }
 
 std::string gap_text(const TierGap& one) {
-  return fmt::format(
-      "{:<20} at {:g} m/s: lumped {:.5g}, FE {:.5g} +- {:.2g}, {:+.2f} %, {:+.3g} "
-      "bars{}",
-      one.key, one.speed, one.lumped, one.fem, one.tolerance, 100.0 * (one.lumped / one.fem - 1.0),
-      one.bars(),
-      one.fails()         ? "  BEYOND what is allowed"
-      : one.allowed_share ? "  within what is allowed"
-                          : "");
+  return fmt::format("{:<20} at {:g} m/s: lumped {:.5g}, FE {:.5g} +- {:.2g}, {:+.2f} %, {} bars{}",
+                     one.key, one.speed, one.lumped, one.fem, one.tolerance,
+                     100.0 * (one.lumped / one.fem - 1.0), bars_text(one.bars()),
+                     one.fails()         ? "  BEYOND what is allowed"
+                     : one.allowed_share ? "  within what is allowed"
+                                         : "");
 }
 
 /// The largest gap between the tiers, as a share of FE, in words.
@@ -72,9 +75,8 @@ std::string largest_gap(const std::vector<CaseComparison>& cases) {
       const double share = std::abs(gap.lumped / gap.fem - 1.0);
       if (!(share > most)) continue;
       most = share;
-      words =
-          fmt::format("The tiers differ by {:.3g} % at most: {} of {} at {:g} m/s, {:.3g} bars.",
-                      100.0 * share, gap.key, one.name, gap.speed, std::abs(gap.bars()));
+      words = fmt::format("The tiers differ by {:.3g} % at most: {} of {} at {:g} m/s, {} bars.",
+                          100.0 * share, gap.key, one.name, gap.speed, bars_text(gap.bars()));
     }
   return words;
 }
@@ -111,12 +113,12 @@ report::Table movement_table(const CaseComparison& one) {
                                   {"measured by"}},
                       .rows = {}};
   for (const Movement& m : one.movements)
-    table.rows.push_back({report::text_cell(m.tier), report::number_cell(m.speed, 4),
-                          report::text_cell(words_of_key(m.key).quantity),
-                          with_unit(m.before, 6, m.key), with_unit(m.now, 6, m.key),
-                          report::text_cell(fmt::format("{:+.3g}", m.bars()),
-                                            m.has_moved() ? Verdict::bad : Verdict::good),
-                          report::text_cell(name_of(m.measured_by))});
+    table.rows.push_back(
+        {report::text_cell(m.tier), report::number_cell(m.speed, 4),
+         report::text_cell(words_of_key(m.key).quantity), with_unit(m.before, 6, m.key),
+         with_unit(m.now, 6, m.key),
+         report::text_cell(bars_text(m.bars()), m.has_moved() ? Verdict::bad : Verdict::good),
+         report::text_cell(name_of(m.measured_by))});
   return table;
 }
 
@@ -142,7 +144,7 @@ report::Table gap_table(const CaseComparison& one) {
                            gap.fails()         ? Verdict::bad
                            : gap.allowed_share ? Verdict::good
                                                : Verdict::none),
-         report::text_cell(fmt::format("{:+.3g}", gap.bars())),
+         report::text_cell(bars_text(gap.bars())),
          report::text_cell(gap.allowed_share ? fmt::format("{:g}", 100.0 * *gap.allowed_share)
                                              : "not judged")});
   return table;
@@ -158,7 +160,7 @@ report::Figure scalar_figure(const CaseComparison& one, const std::string& key,
                         .series = {}};
   for (const char* tier : {"lumped", "fem"}) {
     report::Series series;
-    series.name = tier;
+    series.name = std::string(tier) == "fem" ? "FE" : tier;
     series.style = report::Series::Style::points;
     for (const TierRecord& record : one.records)
       if (record.tier == tier) {
@@ -212,11 +214,12 @@ std::string to_text(const std::vector<CaseComparison>& cases) {
 }
 
 report::Report comparison_report(const std::vector<CaseComparison>& cases) {
-  report::Report page{.title = "Comparison of the tiers",
-                      .subtitle = fmt::format("{} cases", cases.size()),
-                      .headline = headline_of(cases),
-                      .notices = {},
-                      .sections = {}};
+  report::Report page{
+      .title = "Comparison of the tiers",
+      .subtitle = fmt::format("{} case{}", cases.size(), cases.size() == 1 ? "" : "s"),
+      .headline = headline_of(cases),
+      .notices = {},
+      .sections = {}};
   for (const CaseComparison& one : cases) {
     report::Section section{.title = "Case " + one.name, .blocks = {}};
     for (const Movement& movement : one.movements)

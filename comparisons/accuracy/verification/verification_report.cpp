@@ -7,6 +7,8 @@
 namespace rebound {
 namespace {
 
+constexpr std::size_t long_table = 30;  ///< rows from which on a table stands folded
+
 report::TableCell target_cell(const VerificationRow& row) {
   if (row.scale == ToleranceScale::upper_bound)
     return report::text_cell(fmt::format("≤ {:.7g}", row.target));
@@ -67,10 +69,13 @@ report::Report verification_report(const SuiteOutcome& suite) {
     report::Section section{.title = one.name, .blocks = {}};
     for (const report::Figure& figure : one.part.figures) section.blocks.push_back(figure);
     for (const report::Table& table_of_part : one.part.tables)
-      section.blocks.push_back(table_of_part);
+      (table_of_part.rows.size() > long_table ? section.details : section.blocks)
+          .push_back(table_of_part);
     page.sections.push_back(std::move(section));
   }
-  page.sections.push_back({.title = "Row by row", .blocks = {suite_table(table)}});
+  page.sections.push_back({.title = "Row by row",
+                           .folding = report::Section::Folding::folded,
+                           .blocks = {suite_table(table)}});
   return page;
 }
 

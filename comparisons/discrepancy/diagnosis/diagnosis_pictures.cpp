@@ -5,65 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/residual_pictures.hpp"
-
 namespace rebound {
 namespace {
 
 using report::Origin;
 using report::Series;
-
-constexpr double milli = 1e3;
-
-Series line(const std::string& name, Origin origin, const std::vector<double>& time,
-            const std::vector<double>& force) {
-  Series series{.name = name,
-                .origin = origin,
-                .role = Series::Role::candidate,
-                .x = {},
-                .y = force,
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
-  for (const double t : time) series.x.push_back(milli * t);
-  return series;
-}
-
-/// The measured history: points with their noise, thinned so that lines stay visible.
-Series measured_points(const MeasuredImpact& shot) {
-  Series series{.name = "measured",
-                .origin = Origin::measured,
-                .style = Series::Style::points,
-                .role = Series::Role::reference,
-                .x = {},
-                .y = {},
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
-  constexpr std::size_t shown = 120;
-  const Trace& history = shot.trace;
-  const std::size_t stride = std::max<std::size_t>(1, history.time.size() / shown);
-  for (std::size_t i = 0; i < history.time.size(); i += stride) {
-    series.x.push_back(milli * history.time[i]);
-    series.y.push_back(history.force[i]);
-    series.y_error.push_back(shot.noise.deviation);
-  }
-  return series;
-}
-
-report::Figure history_figure(const MeasuredImpact& shot, const std::string& title,
-                              const std::string& caption, const std::vector<double>& before,
-                              const std::vector<double>* after, Origin origin) {
-  const std::vector<double>& time = shot.trace.time;
-  report::Figure figure{
-      .title = title, .caption = caption, .x = {"time", "ms"}, .y = {"force", "N"}, .series = {}};
-  figure.series.push_back(measured_points(shot));
-  figure.series.push_back(line("believed model, refitted", origin, time, before));
-  if (after) figure.series.push_back(line("with the effect", origin, time, *after));
-  return figure;
-}
 
 std::string words_of(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -81,7 +27,7 @@ report::Axis axis_of(const FactorBand& band) {
 report::Matrix map_matrix(const Diagnosis& d) {
   const ResidualMap& map = d.believed.map;
   report::Matrix matrix{
-      .title = "Where model and data disagree",
+      .title = "Mean residual of each shot, by part of the contact",
       .caption =
           fmt::format("Mean residual of the believed model, refitted, over its spread when "
                       "nothing is missing: beyond ±{:.1f} the noise alone goes once in fifty "
@@ -181,35 +127,6 @@ report::Figure curve_figure(const FactorBand& band) {
                  .y_high = {}};
   figure.series = {std::move(nothing), std::move(curve)};
   return figure;
-}
-
-void add_pictures(const Diagnosis& d, report::Section& section) {
-  const HypothesisFit& before = d.believed.fit;
-  const HypothesisFit* after = d.gap.after ? &d.best() : nullptr;
-  for (std::size_t i = 0; i < d.unseen->shots.size(); ++i) {
-    const MeasuredImpact& shot = d.unseen->shots[i];
-    if (!shot.has_history() || !d.unseen_before) continue;
-    section.blocks.push_back(
-        history_figure(shot, "Held out: " + shot.label,
-                       "No fit saw this shot. Points with one standard deviation of the noise.",
-                       d.unseen_before->force[i],
-                       d.unseen_after ? &d.unseen_after->force[i] : nullptr, Origin::predicted));
-    section.blocks.push_back(residual_figure(shot, d.unseen_before->force[i],
-                                             d.unseen_after ? &d.unseen_after->force[i] : nullptr,
-                                             Origin::predicted));
-  }
-  for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
-    const MeasuredImpact& shot = d.seen->shots[i];
-    if (!shot.has_history()) continue;
-    const auto with =
-        after ? after->model->force_at(after->values, i, shot.trace.time) : std::vector<double>{};
-    const auto without = before.model->force_at(before.values, i, shot.trace.time);
-    const std::vector<double>* fitted = after ? &with : nullptr;
-    section.blocks.push_back(history_figure(shot, "Fitted: " + shot.label,
-                                            "Points with one standard deviation of the noise.",
-                                            without, fitted, Origin::fitted));
-    section.blocks.push_back(residual_figure(shot, without, fitted, Origin::fitted));
-  }
 }
 
 }  // namespace rebound

@@ -11,9 +11,6 @@ report::Matrix map_matrix(const Diagnosis& diagnosis);
 /// Which effects do alike to the residuals.
 report::Matrix cosine_matrix(const Diagnosis& diagnosis);
 
-/// Appends force histories with the models before and after: first those that no fit saw.
-void add_pictures(const Diagnosis& diagnosis, report::Section& section);
-
 /// What a family without a formula looks like: its factor with the 95 % band.
 report::Figure curve_figure(const FactorBand& band);
 

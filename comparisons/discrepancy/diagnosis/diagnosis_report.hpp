@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 #include "comparisons/io/report/report.hpp"
@@ -9,12 +8,8 @@
 
 namespace rebound {
 
-/// Verdict, gap, map, before-and-after pictures and candidates, ready to stand
-/// among other sections; `name` tells several diagnoses of one page apart.
-std::vector<report::Section> diagnosis_sections(const Diagnosis& diagnosis,
-                                                const std::string& name);
-
-/// The same as a page of its own.
+/// A page in the order of its reader's questions: the verdict with its numbers and the gap at
+/// each speed, before and after; where model and data disagree; what is missing; how sure that is.
 report::Report diagnosis_report(const Diagnosis& diagnosis, const std::string& name,
                                 const Provenance& provenance);
 

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 #include "comparisons/io/toml/units.hpp"
@@ -15,11 +17,62 @@ std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
 
+/// A number in the prefix in which it has one to three digits before the point; units that take
+/// none, as powers and products, stay as they are.
+std::string in_said_unit(double value, const std::string& unit) {
+  struct Prefix {
+    double factor;
+    const char* name;
+  };
+  static constexpr std::array<Prefix, 4> prefixes = {
+      {{1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};
+  const bool takes_prefix = unit == "s" || unit == "m";
+  if (unit.empty() || !takes_prefix || value == 0.0)
+    return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+  for (const Prefix& prefix : prefixes)
+    if (std::abs(value) >= prefix.factor)
+      return fmt::format("{:.3g} {}{}", value / prefix.factor, prefix.name, unit);
+  return fmt::format("{:.3g} {}", value, unit);
+}
+
 }  // namespace
+
+std::vector<FoundNumber> numbers_of(const Diagnosis& d, const NamedEffect& effect) {
+  const EffectCard& card = find_effect(effect.effect.name).card;
+  std::vector<FoundNumber> numbers;
+  const auto size = [&](const std::string& name, const NumberWithInterval& one) {
+    numbers.push_back(
+        {name, size_text(card, one.value), size_text(card, one.low), size_text(card, one.high)});
+  };
+  for (std::size_t ball = 0; ball < effect.size_of_balls.size(); ++ball)
+    size("size, " + d.seen->balls[ball].name, effect.size_of_balls[ball]);
+  if (!card.is_switch && effect.size_of_balls.empty()) size("size", effect.size);
+  for (const NumberWithInterval& one : effect.parameters) {
+    const std::string unit = parameter_unit(card, one.name);
+    std::string name = one.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    numbers.push_back({name, in_said_unit(one.value, unit), in_said_unit(one.low, unit),
+                       in_said_unit(one.high, unit)});
+  }
+  return numbers;
+}
+
+std::string effect_sentence(const Diagnosis& d, const NamedEffect& effect) {
+  const EffectCard& card = find_effect(effect.effect.name).card;
+  std::string text = card.name + ". " + card.sentence;
+  std::string numbers;
+  for (const FoundNumber& one : numbers_of(d, effect)) {
+    numbers += fmt::format("{}{} {}", numbers.empty() ? "" : ", ", one.name, one.value);
+    if (one.low != one.high) numbers += fmt::format(" [{} to {}]", one.low, one.high);
+  }
+  if (!numbers.empty()) text += " Found: " + numbers + ".";
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
 
 std::string size_text(const EffectCard& card, double size) {
   const std::string unit = size_unit(card);
-  if (!unit.empty()) return fmt::format("{:.3g} {}", size, unit);
+  if (!unit.empty()) return in_said_unit(size, unit);
   const bool share = card.range.highest <= 1.0;
   return share ? fmt::format("{:.3g} %", 100 * size) : fmt::format("{:.3g}", size);
 }

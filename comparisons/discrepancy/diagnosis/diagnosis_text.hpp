@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
@@ -17,6 +18,19 @@ std::string size_text(const EffectCard& card, double size);
 
 /// Unit of a further number of an effect; empty: a pure number.
 std::string parameter_unit(const EffectCard& card, const std::string& parameter);
+
+/// A number of an effect as one says it: "35.5 %", "0.61 ms", with its 95 % interval.
+struct FoundNumber {
+  std::string name;  ///< e.g. "size", "relaxation time"
+  std::string value, low, high;
+};
+
+/// Sizes, ball by ball where they differ, then further numbers.
+std::vector<FoundNumber> numbers_of(const Diagnosis& diagnosis, const NamedEffect& effect);
+
+/// What is missing, in words and numbers: what the effect is, then "Found: size 0.355 [0.302 to
+/// 0.408], relaxation time 0.61 ms [0.5 ms to 0.7 ms]."
+std::string effect_sentence(const Diagnosis& diagnosis, const NamedEffect& effect);
 
 /// One sentence: verdict, name, sizes, gap.
 std::string headline(const Diagnosis& diagnosis);

@@ -63,11 +63,10 @@ report::Figure residual_figure(const MeasuredImpact& measured, const std::vector
           "stays within the band nineteen times in twenty.",
       .x = {"time", "ms"},
       .y = {"residual", "σ"},
-      .series = {noise_band(gathered.time),
-                 residual_series("believed model, refitted", origin, gathered)}};
+      .series = {noise_band(gathered.time), residual_series(before_name, origin, gathered)}};
   if (after)
     figure.series.push_back(
-        residual_series("with the effect", origin, gathered_residuals(measured, *after)));
+        residual_series(after_name, origin, gathered_residuals(measured, *after)));
   return figure;
 }
 

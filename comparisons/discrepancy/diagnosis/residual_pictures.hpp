@@ -24,6 +24,9 @@ struct GatheredResiduals {
 GatheredResiduals gathered_residuals(const MeasuredImpact& measured,
                                      const std::vector<double>& model, std::size_t points = 50);
 
+/// Names of the models in every picture of a diagnosis.
+inline constexpr auto before_name = "believed model, refitted", after_name = "with what is missing";
+
 /// Residuals before and, where there are any, after, over the range of the noise.
 report::Figure residual_figure(const MeasuredImpact& measured, const std::vector<double>& before,
                                const std::vector<double>* after, report::Origin origin);

@@ -36,7 +36,8 @@ function tracesOf(series, figure, faded) {
     x: series.x, y: series.y, opacity: many ? 0.55 * opacity : opacity,
     line: { color: colour, width: series.reference ? 2.6 : 2, dash: dashOfOrigin[series.origin] },
     marker: {
-      size: many ? 4 : barred ? 5 : 8,  // smaller than its bar symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
+      symbol: series.origin === "measured" ? symbol : `${symbol}-open`,
+      size: many ? 4 : barred ? 5 : 8,  // smaller than its bar
       color: colour, line: { color: colour, width: many ? 1 : 1.8 },
     },
     error_x: errorBar(series.x_error, colour),
