@@ -71,10 +71,16 @@ std::vector<CoverageRow> read_coverage(const std::filesystem::path& file) {
 }
 
 CoverageTruth truth_of(const CoverageRow& row) {
+  constexpr double lowest = 1.0, highest = 2.0, of_contact = 1.5, largest_observed = 2.5;
   const FamilyValues& values = row.values;
   const double cells = values.fine - values.middle;
-  if (row.use == FamilyUse::truth)
-    return {.value = values.fine + cells / (std::exp2(1.5) - 1.0), .error = 0.5 * std::abs(cells)};
+  if (row.use == FamilyUse::truth) {
+    const double observed = std::log2((values.middle - values.coarse) / cells);
+    const bool believed = observed >= lowest && observed <= largest_observed;
+    const double order = believed ? std::min(observed, highest) : of_contact;
+    return {.value = values.fine + cells / (std::exp2(order) - 1.0),
+            .error = 0.5 * std::abs(cells)};
+  }
   const double step = 4.0 / 3.0 * (values.halved - values.middle);
   return {.value = values.fine + step, .error = std::abs(cells) / 3.0 + 0.25 * std::abs(step)};
 }

@@ -67,16 +67,10 @@ std::string words_of_reference(std::vector<std::string> beyond);
 /// Runs one impact on a mesh and its two refinements by cutting cells into
 /// four; on the middle one also with half the step, and at four speeds nearby.
 ///
-///   U² = U_meshes² + (4/3 |change by halving the step|)² + (2 s)²
-///
-///   U_meshes  see grid_convergence()
-///   s         scatter on the middle mesh of five speeds within ± 10 % about a
-///             parabola. The true value is smooth in speed; what is not comes
-///             from nodes that engage and leave one by one. It falls with the
-///             cell, to s/2 on the fine mesh: 2 s is four of it, as two degrees
-///             of freedom ask for 95 %. The peak of the force, which is raised by ripple on
-///             any mesh, takes beside it the root mean square of what the window means of the
-///             two finer meshes differ by about it: twice the ripple of the finest or more.
+/// Five speeds within ± 10 % on the middle mesh give the scatter about a parabola: the true value
+/// is smooth in speed; what is not comes from nodes that engage and leave one by one. The peak of
+/// the force is raised by ripple on any mesh: the root mean square of what the window means of the
+/// two finer meshes differ by about it. scalar_error() says what of these a bar is made of.
 ///
 /// The step's share is of second order in it and taken on the middle mesh,
 /// where the step is twice that of the result: an upper estimate.

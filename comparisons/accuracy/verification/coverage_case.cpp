@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "comparisons/accuracy/numerical_error/coverage.hpp"
@@ -62,6 +63,47 @@ report::Table table_of(const std::vector<CoverageRow>& rows) {
 
 }  // namespace
 
+namespace {
+
+void add_rows(const Coverage& found, const std::string& of, const std::string& source,
+              VerificationTable& rows) {
+  rows.push_back({.case_id = "error bars",
+                  .quantity = fmt::format("share of the bars{} that cover the truth", of),
+                  .unit = "",
+                  .target = 0.95,
+                  .result = found.share,
+                  .tolerance = 0.03,
+                  .scale = ToleranceScale::absolute,
+                  .source = source});
+  rows.push_back({.case_id = "error bars",
+                  .quantity = fmt::format("median of bar over error{}", of),
+                  .unit = "",
+                  .target = 4.0,
+                  .result = found.median_ratio,
+                  .tolerance = 0.0,
+                  .scale = ToleranceScale::upper_bound,
+                  .source = source});
+}
+
+/// Root mean square of what both truths differ by, over the sum of their errors.
+double difference_of_truths(const std::vector<CoverageRow>& rows) {
+  std::map<std::pair<int, std::string>, CoverageTruth> bilinear;
+  for (const CoverageRow& row : rows)
+    if (row.use == FamilyUse::truth) bilinear[{row.number, row.quantity}] = truth_of(row);
+  double square = 0.0;
+  int count = 0;
+  for (const CoverageRow& row : rows) {
+    const auto found = bilinear.find({row.number, row.quantity});
+    if (row.use != FamilyUse::nine_node || found == bilinear.end()) continue;
+    const CoverageTruth nine = truth_of(row), four = found->second;
+    square += std::pow((nine.value - four.value) / (nine.error + four.error), 2);
+    ++count;
+  }
+  return std::sqrt(square / count);
+}
+
+}  // namespace
+
 VerificationPart verify_coverage(const std::filesystem::path& table) {
   const std::vector<CoverageRow> rows = read_coverage(table);
   const auto judged = judge_bars(rows);
@@ -73,22 +115,18 @@ VerificationPart verify_coverage(const std::filesystem::path& table) {
       "not run now",
       cases.size());
   VerificationPart part;
-  part.rows = {{.case_id = "error bars",
-                .quantity = "share of the bars that cover the truth",
-                .unit = "",
-                .target = 0.95,
-                .result = all.share,
-                .tolerance = 0.03,
-                .scale = ToleranceScale::absolute,
-                .source = source},
-               {.case_id = "error bars",
-                .quantity = "median of bar over error",
-                .unit = "",
-                .target = 4.0,
-                .result = all.median_ratio,
-                .tolerance = 0.0,
-                .scale = ToleranceScale::upper_bound,
-                .source = source}};
+  add_rows(all, "", source, part.rows);
+  for (const char* quantity : quantities)
+    add_rows(coverage_of(judge_bars(rows, quantity)), fmt::format(" of {}", quantity), source,
+             part.rows);
+  part.rows.push_back({.case_id = "error bars",
+                       .quantity = "difference of bilinear and nine-node truth over their errors",
+                       .unit = "",
+                       .target = 1.0,
+                       .result = difference_of_truths(rows),
+                       .tolerance = 0.0,
+                       .scale = ToleranceScale::upper_bound,
+                       .source = source});
   report::Figure figure{
       .title = "How far the truth is, in bars",
       .caption = "Bars of every family of the stored campaign; right of 1 they do not cover.",
@@ -96,6 +134,8 @@ VerificationPart verify_coverage(const std::filesystem::path& table) {
       .y = {"share of the bars", "%"},
       .series = {}};
   figure.series.push_back(histogram(judged, "all quantities"));
+  for (const char* quantity : quantities)
+    figure.series.push_back(histogram(judge_bars(rows, quantity), quantity));
   part.figures.push_back(std::move(figure));
   part.tables.push_back(table_of(rows));
   return part;
