@@ -2,6 +2,7 @@
 
 #include "fem/element_tests/free_vibration.hpp"
 #include "fem/element_tests/linear_contact.hpp"
+#include "fem/element_tests/linear_statics.hpp"
 #include "fem/element_tests/manufactured_solution.hpp"
 #include "fem/element_tests/uniform_stretch.hpp"
 
@@ -23,6 +24,10 @@ class Checks final : public ElementChecks {
   }
   double linear_contact_force(const Mesh& mesh, const LinearContact& contact) const override {
     return fem::linear_contact_force(mesh, contact);
+  }
+  LinearAnswer linear_statics(const Mesh& mesh, CellKind cells,
+                              const LinearStatics& problem) const override {
+    return fem::linear_statics(mesh, cells, problem);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "fem/element_tests/bilinear_forces.hpp"
+#include "fem/element_tests/linear_stiffness.hpp"
 #include "fem/implicit/body_forces.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -79,25 +79,15 @@ Pencil nine_node_pencil(const Mesh& mesh, VibratingMass mass, const VibratingSph
 
 Pencil bilinear_pencil(const Mesh& mesh, const VibratingSphere& sphere) {
   const Discretisation body = discretise(mesh, sphere.mass);
-  BilinearForces forces(body, sphere.material, choose_cell_kernel());
   const auto number = free_numbers(body);
   Pencil pencil{
       .stiffness = {}, .mass = {}, .breathing = breathing_of(body, number, sphere.radius)};
-  const double step = 1e-6 * sphere.radius;
-  std::vector<double> u(forces.size(), 0.0);
   Triplets stiffness, mass;
-  for (int j = 0; j < static_cast<int>(number.size()); ++j) {
-    if (number[j] < 0) continue;
-    u[j] = step;
-    const std::vector<double> ahead = forces.force(u);
-    u[j] = -step;
-    const std::vector<double>& behind = forces.force(u);
-    u[j] = 0.0;
-    for (int i = 0; i < static_cast<int>(number.size()); ++i)
-      if (number[i] >= number[j] && ahead[i] != behind[i])
-        stiffness.emplace_back(number[i], number[j], (ahead[i] - behind[i]) / (2.0 * step));
-    mass.emplace_back(number[j], number[j], body.mass[j / 2]);
-  }
+  for (const auto& entry : bilinear_stiffness(body, sphere.material, 1e-6 * sphere.radius))
+    if (number[entry.row()] >= number[entry.col()] && number[entry.col()] >= 0)
+      stiffness.emplace_back(number[entry.row()], number[entry.col()], entry.value());
+  for (int j = 0; j < static_cast<int>(number.size()); ++j)
+    if (number[j] >= 0) mass.emplace_back(number[j], number[j], body.mass[j / 2]);
   pencil.stiffness = from_triplets(pencil.breathing.size(), stiffness);
   pencil.mass = from_triplets(pencil.breathing.size(), mass);
   return pencil;

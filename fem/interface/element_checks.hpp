@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "fem/interface/material.hpp"
@@ -63,6 +66,23 @@ struct LinearContact {
   double approach = 0.0;  ///< of the plate and the centre of mass (1) or the middle plane (2) [m]
 };
 
+/// A body at rest whose cells stay linear; functions of the place (r, z) at rest.
+struct LinearStatics {
+  using Given = std::function<std::optional<double>(double r, double z)>;
+  Material material;    ///< its moduli at rest
+  Given radial, axial;  ///< displacement where it is given [m]; without: nowhere
+  /// A rigid surface without friction that presses down: the largest axial displacement of the
+  /// nodes that may touch it [m].
+  Given indenter;
+};
+
+/// Node by node.
+struct LinearAnswer {
+  std::vector<std::array<double, 2>> position;      ///< at rest [m]
+  std::vector<std::array<double, 2>> displacement;  ///< [m]
+  std::vector<std::array<double, 2>> force;         ///< what holds the node [N]
+};
+
 /// The FE tier's cells without an impact, for known answers; in module "rebound_fem".
 class ElementChecks {
  public:
@@ -85,6 +105,11 @@ class ElementChecks {
   /// Force of the plate on a sphere whose cells stay linear [N]; nine-node cells; `mesh` is
   /// its lower half between two platens. Errors: Error(solver_failed).
   virtual double linear_contact_force(const Mesh& mesh, const LinearContact& contact) const = 0;
+
+  /// Displacements and forces of a body with given displacements and an indenter; either kind of
+  /// cells. Errors: Error(solver_failed).
+  virtual LinearAnswer linear_statics(const Mesh& mesh, CellKind cells,
+                                      const LinearStatics& problem) const = 0;
 };
 
 /// Entry point beside fem_entry_point, with the same stamp.

@@ -6,9 +6,11 @@
 
 #include <cmath>
 
+#include "comparisons/accuracy/verification/element_cases.hpp"
 #include "comparisons/accuracy/verification/targets.hpp"
 #include "fem/element_tests/element_checks.hpp"
 #include "meshes/generate/sphere_mesh.hpp"
+#include "tests/support/verification_rows.hpp"
 
 namespace rebound {
 namespace {
@@ -35,6 +37,11 @@ double miss(const FreeVibration& found, double frequency) {
   for (const double one : found.frequencies)
     nearest = std::min(nearest, std::abs(one / frequency - 1.0));
   return nearest;
+}
+
+// Lamé's sphere, discs, an indented layer; the rows of `rebound verify`.
+TEST(NearlyIncompressibleCells, KnownAnswers) {
+  test::expect_rows(verify_nearly_incompressible(fem::element_checks()).rows, 28);
 }
 
 TEST(NearlyIncompressibleCells, FrequenciesOfTheSphere) {
