@@ -118,7 +118,7 @@ void pressed_discs(const ElementChecks& checks, double ratio, CellKind cells,
        .unit = "",
        .target = 1.0,
        .result = pressed_disc(checks, mesh, height, false, ratio, cells),
-       .tolerance = 1e-6,
+       .tolerance = 1e-5,  // a stiffness by differences: rounding times K over the modulus
        .source = "uniform stress, closed form"});
   if (ratio < 0.49) return;
   const double apparent = 1.0 + 2.0 * shape * shape;
