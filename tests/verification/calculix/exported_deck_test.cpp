@@ -24,14 +24,15 @@ namespace {
 /// Of the code's elements, and of the coarsest mesh of the FE tier's own family.
 constexpr int deck_cells = 600, coarsest_cells = 1000;
 
-FemProblem elastic_impact() {
+FemProblem elastic_impact(double modulus, double end_time) {
   FemProblem problem;
   problem.sphere = {.mass = 0.0896, .diameter = 0.0662};
   problem.impact.speed = 15.0;
-  problem.material = {
-      .elastic = ElasticModel::neo_hookean_isochoric, .youngs_modulus = 10e6, .poisson_ratio = 0.4};
+  problem.material = {.elastic = ElasticModel::neo_hookean_isochoric,
+                      .youngs_modulus = modulus,
+                      .poisson_ratio = 0.4};
   problem.cells = deck_cells;
-  problem.controls.end_time = 1.8e-3;
+  problem.controls.end_time = end_time;
   return problem;
 }
 
@@ -88,9 +89,8 @@ ForceHistory run_calculix(const std::string& deck, const std::filesystem::path& 
   return history;
 }
 
-TEST(ExportedDeckTest, CalculixAgrees) {
+void expect_agreement(FemProblem problem, double force_tolerance) {
   const testing::TemporaryFolder folder;
-  FemProblem problem = elastic_impact();
   const ExportedDeck deck = export_deck(export_target("calculix"), problem, mesh_for(problem));
   const ForceHistory found = run_calculix(deck.text, folder.path());
   ASSERT_NEAR(found.time.back(), problem.controls.end_time, 1e-9);
@@ -103,13 +103,25 @@ TEST(ExportedDeckTest, CalculixAgrees) {
   const double force = found.largest_mean(own.force_averaging_window);
   EXPECT_NEAR(restitution, own.restitution_momentum, 1e-3);
   EXPECT_NEAR(deflection / own.scalars.peak_deflection, 1.0, 1e-3);
-  EXPECT_NEAR(force / own.scalars.peak_force, 1.0, 1e-3);
-  RecordProperty("restitution", std::to_string(restitution));
-  RecordProperty("restitution_own", std::to_string(own.restitution_momentum));
-  RecordProperty("deflection_mm", std::to_string(1e3 * deflection));
-  RecordProperty("deflection_mm_own", std::to_string(1e3 * own.scalars.peak_deflection));
-  RecordProperty("force_N", std::to_string(force));
-  RecordProperty("force_N_own", std::to_string(own.scalars.peak_force));
+  EXPECT_NEAR(force / own.scalars.peak_force, 1.0, force_tolerance);
+  ::testing::Test::RecordProperty("restitution", std::to_string(restitution));
+  ::testing::Test::RecordProperty("restitution_own", std::to_string(own.restitution_momentum));
+  ::testing::Test::RecordProperty("deflection_mm", std::to_string(1e3 * deflection));
+  ::testing::Test::RecordProperty("deflection_mm_own",
+                                  std::to_string(1e3 * own.scalars.peak_deflection));
+  ::testing::Test::RecordProperty("force_N", std::to_string(force));
+  ::testing::Test::RecordProperty("force_N_own", std::to_string(own.scalars.peak_force));
+}
+
+TEST(ExportedDeckTest, CalculixAgrees) {
+  expect_agreement(elastic_impact(10e6, 1.8e-3), 1e-3);
+}
+
+/// At half of the shear wave speed the peak is a wave front that comes back across the ball.
+/// Quadratic cells of this size overshoot there: this program's own nine-node cells by 2.1 % (256)
+/// and 1.6 % (600) of what its fine meshes of bilinear cells agree on.
+TEST(ExportedDeckTest, CalculixAgreesOnASoftFastBall) {
+  expect_agreement(elastic_impact(2e6, 3.6e-3), 6e-3);
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// Newton's method that finds no state, through the program: exit 3, no scalar, what was known kept.
+#include "tests/cli/program.hpp"
+
+namespace rebound::testing {
+namespace {
+
+class NewtonFailure : public ProgramTest {};
+
+/// A foam that stiffens steeply, at its shear wave speed: the search halves its change eight times
+/// and every state still turns a cell inside out.
+TEST_F(NewtonFailure, OfTheImplicitSchemeReportsNoScalar) {
+  folder.write("stall.toml", R"(schema = 1
+[impact]
+speed = "25 m/s"
+[sphere]
+mass = "89.6 g"
+diameter = "66.2 mm"
+[model]
+tier = "fem"
+scheme = "implicit"
+cells = 20
+[model.material]
+elastic = "hyperfoam"
+youngs_modulus = "2 MPa"
+poisson_ratio = 0.1
+[[model.material.term]]
+weight = 1
+exponent = 12
+)");
+  const Outcome outcome = rebound({"fem", "stall.toml", "--json", "--out", "stall"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_FALSE(json.contains("restitution"));
+  EXPECT_FALSE(json.contains("peak_force_N"));
+  EXPECT_EQ(json["error"]["code"], 3);
+  const std::string message = json["error"]["message"];
+  EXPECT_NE(message.find("inside out"), std::string::npos) << message;
+  EXPECT_NE(message.find("what is known is in stall"), std::string::npos) << message;
+  EXPECT_TRUE(there("stall/incomplete.json"));
+  EXPECT_TRUE(there("stall/trace-incomplete.csv"));
+  EXPECT_FALSE(there("stall/result.json"));
+  EXPECT_FALSE(there("stall/trace.csv"));
+}
+
+}  // namespace
+}  // namespace rebound::testing
