@@ -55,10 +55,10 @@ extern "C" void end_of_patience(int) {
   if (stopping) return;
   if (json_wanted.load())
     say(STDOUT_FILENO,
-        "{\"schema\":1,\"error\":{\"code\":130,\"message\":\"interrupted before anything was "
-        "complete\",\"file\":null,\"line\":null,\"key\":null,\"value\":null,\"allowed\":null}}\n");
+        "{\"schema\":1,\"error\":{\"code\":130,\"message\":\"interrupted; what was stored is "
+        "kept\",\"file\":null,\"line\":null,\"key\":null,\"value\":null,\"allowed\":null}}\n");
   else
-    say(STDERR_FILENO, "\nrebound: interrupted before anything was complete\n");
+    say(STDERR_FILENO, "\nrebound: interrupted; what was stored is kept\n");
   ::_exit(130);
 }
 

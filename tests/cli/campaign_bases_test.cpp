@@ -1,95 +1,8 @@
 // `campaign` over files that are no impacts: syntheses, calibrations, diagnoses.
-#include <map>
-#include <sstream>
-
-#include "tests/cli/program.hpp"
+#include "tests/cli/campaign_bases.hpp"
 
 namespace rebound::testing {
 namespace {
-
-const std::string synthesis = R"(schema = 1
-name = "three speeds"
-seed = 3
-[sphere]
-mass = "89.6 g"
-diameter = "66.2 mm"
-mass_uncertainty = "0.5 g"
-[model]
-tier = "lumped"
-law = "hunt-crossley"
-stiffness = "3.2e6 N/m^1.5"
-damping = "7e4 N.s/m^2.5"
-[[model.effect]]
-name = "relaxation"
-size = 0.4
-relaxation_time = "0.5 ms"
-[instrument]
-force_noise = "20 N"
-force_gain_uncertainty = 0.01
-[[shot]]
-speed = "5 m/s"
-restitution_uncertainty = 0.01
-[[shot]]
-speed = "15 m/s"
-contact_time_uncertainty = "0.01 ms"
-[[shot]]
-speed = "25 m/s"
-)";
-
-std::string campaign_of(const std::string& base, const std::string& key,
-                        const std::string& values) {
-  return "schema = 1\nbase = \"" + base +
-         "\"\n[design]\nkind = \"grid\"\n[[design.factor]]\nkey = \"" + key + "\"\nvalues = [" +
-         values + "]\n";
-}
-
-class CampaignBases : public ProgramTest {
- protected:
-  using Row = std::map<std::string, std::string>;
-
-  void SetUp() override {
-    folder.write("synthesis.toml", synthesis);
-    folder.write("ball.toml", lumped_file);
-  }
-
-  nlohmann::json json_of(const std::vector<std::string>& arguments) const {
-    const Outcome outcome = rebound(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors << outcome.output;
-    return nlohmann::json::parse(outcome.output, nullptr, false);
-  }
-
-  /// Runs a campaign; its table by columns.
-  std::vector<Row> rows(const std::string& text, const std::string& store) const {
-    folder.write("campaign.toml", text);
-    json_of({"campaign", "campaign.toml", "--out", store, "--json"});
-    std::istringstream csv(rebound({"campaign", "query", "campaign.toml", "--out", store}).output);
-    const auto fields = [](const std::string& line) {
-      std::vector<std::string> all;
-      std::istringstream parts(line + ",");
-      for (std::string field; std::getline(parts, field, ',');) all.push_back(field);
-      return all;
-    };
-    std::string line;
-    std::getline(csv, line);
-    const auto names = fields(line);
-    std::vector<Row> table;
-    while (std::getline(csv, line)) {
-      const auto values = fields(line);
-      EXPECT_EQ(values.size(), names.size()) << line;
-      Row& row = table.emplace_back();
-      for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) row[names[i]] = values[i];
-    }
-    return table;
-  }
-
-  nlohmann::json refusal(const std::string& text) const {
-    folder.write("bad.toml", text);
-    const Outcome outcome = rebound({"campaign", "bad.toml", "--json", "--out", "bad"});
-    EXPECT_EQ(outcome.exit_code, 2) << text;
-    EXPECT_FALSE(there("bad"));
-    return nlohmann::json::parse(outcome.output)["error"];
-  }
-};
 
 TEST_F(CampaignBases, AMemberIsTheExperimentOfItsFile) {
   const auto table = rows(campaign_of("synthesis.toml", "seed", "3, 4"), "store");
@@ -121,28 +34,6 @@ TEST_F(CampaignBases, AMemberIsTheExperimentOfItsFile) {
             table[1].at("shot-01.measured_peak_force_N"));
 }
 
-TEST_F(CampaignBases, ExperimentsOfFiniteElementsRunToo) {
-  folder.write("fem.toml", R"(schema = 1
-[sphere]
-mass = "89.6 g"
-diameter = "66.2 mm"
-[model]
-tier = "fem"
-cells = 60
-[model.material]
-elastic = "neo-hookean"
-youngs_modulus = "10 MPa"
-poisson_ratio = 0.4
-[[shot]]
-speed = "10 m/s"
-)");
-  const auto table =
-      rows(campaign_of("fem.toml", "model.material.youngs_modulus", "\"10 MPa\", \"20 MPa\""), "f");
-  ASSERT_EQ(table.size(), 2u);
-  EXPECT_LT(std::stod(table[1].at("shot-01.contact_time_s")),
-            std::stod(table[0].at("shot-01.contact_time_s")));
-}
-
 TEST_F(CampaignBases, AMemberIsTheCalibrationOfItsFile) {
   json_of({"synthesize", "synthesis.toml", "--out", "made", "--json"});
   const std::string calibration =
@@ -167,27 +58,6 @@ TEST_F(CampaignBases, AMemberIsTheCalibrationOfItsFile) {
   const auto again = json_of({"campaign", "campaign.toml", "--out", "store", "--json"});
   EXPECT_EQ(again["found"], 0);
   EXPECT_EQ(again["run"], 2);
-}
-
-TEST_F(CampaignBases, AMemberIsTheCalibrationOfAMaterial) {
-  json_of({"synthesize", "synthesis.toml", "--out", "made", "--json"});
-  folder.write("fem.toml", fem_file);
-  const std::string calibration =
-      "schema = 1\ntier = \"fem\"\nmodel = \"fem.toml\"\nfree = [\"youngs_modulus\"]\n"
-      "folders = [\"made/data\"]\nstarts = 1\ncontact_time_uncertainty = 0.01\n";
-  folder.write("material.toml", calibration);
-  const std::string key = "contact_time_uncertainty";
-  const auto table = rows(campaign_of("material.toml", key, "0.01, 0.03"), "store");
-  ASSERT_EQ(table.size(), 2u);
-  for (const char* value : {"0.01", "0.03"}) {
-    folder.write("material.toml", replaced(calibration, "0.01", value));
-    const auto single = json_of({"calibrate", "material.toml", "--json"});
-    const Row& row = table[std::string(value) == "0.03"];
-    EXPECT_EQ(std::stod(row.at("cost_after")), single["cost_after"].get<double>()) << value;
-    EXPECT_EQ(std::stod(row.at(single["estimates"][0]["name"])),
-              single["estimates"][0]["value"].get<double>());
-  }
-  EXPECT_NE(table[0].at("cost_after"), table[1].at("cost_after"));
 }
 
 TEST_F(CampaignBases, AMemberIsTheDiagnosisOfItsExperiment) {
