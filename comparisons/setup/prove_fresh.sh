@@ -69,6 +69,8 @@ mmdebstrap --variant=minbase --include=ca-certificates,git bookworm "$root" "${s
 copy_into_root /etc/resolv.conf /etc/hosts /etc/apt/apt.conf.d /etc/apt/auth.conf.d \
   /etc/apt/trusted.gpg.d /usr/local/share/ca-certificates /etc/ssl/certs/ca-certificates.crt \
   /etc/npmrc "$HOME/.npmrc"
+mount --bind "$root" "$root"  # a root that is a mount, as a machine's is: name spaces of mounts need one
+mounted+=("$root")
 mount_into_root proc proc /proc
 mount_into_root sysfs sysfs /sys ro
 mount_into_root tmpfs tmpfs /dev mode=755
@@ -77,6 +79,8 @@ ln -s /proc/self/fd "$root/dev/fd"; ln -s fd/0 "$root/dev/stdin"
 ln -s fd/1 "$root/dev/stdout"; ln -s fd/2 "$root/dev/stderr"
 mkdir "$root/dev/shm" "$root/dev/pts"
 mount_into_root tmpfs tmpfs /dev/shm
+mount_into_root devpts devpts /dev/pts newinstance,ptmxmode=0666,mode=620
+ln -s pts/ptmx "$root/dev/ptmx"
 
 git clone --quiet --no-hardlinks "$project_folder" "$root/root/rebound"
 git -C "$root/root/rebound" checkout --quiet --detach "$(git -C "$project_folder" rev-parse HEAD)"
