@@ -64,10 +64,11 @@ Mesh layer_mesh(const LayerMesh& layer) {
     places.back() = to;
     return places;
   };
-  std::vector<double> across;
   const int even = static_cast<int>(std::lround(fine_width / layer.finest));
-  for (int i = 0; i < even; ++i) across.push_back(fine_width * i / even);
-  for (const double at : grown(fine_width, layer.width)) across.push_back(at);
+  std::vector<double> across(static_cast<std::size_t>(even));
+  for (int i = 0; i < even; ++i) across[static_cast<std::size_t>(i)] = fine_width * i / even;
+  const std::vector<double> outer = grown(fine_width, layer.width);
+  across.insert(across.end(), outer.begin(), outer.end());
   std::vector<double> down = grown(0.0, layer.height);
   Mesh mesh = cylinder_mesh({.radius = 1.0,
                              .length = 1.0,

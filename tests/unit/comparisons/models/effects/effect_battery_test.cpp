@@ -62,8 +62,9 @@ TEST_P(EffectBattery, CardIsComplete) {
   EXPECT_GE(card.prior_scale, card.range.lowest);
   EXPECT_LE(card.prior_scale, card.range.highest);
   EXPECT_NE(card.prior_scale, card.null);
-  if (card.tried_in == TriedIn::si)
+  if (card.tried_in == TriedIn::si) {
     for (const double tried : card.tried) EXPECT_TRUE(card.range.contains(tried));
+  }
   EXPECT_EQ(find_effect(card.name).card.name, card.name);
   EXPECT_EQ(effect_.to_measurement != nullptr, card.kind == EffectKind::measurement);
   EXPECT_NE(card.family, EffectFamily::none) << "what the missing force depends on";
@@ -75,8 +76,9 @@ TEST_P(EffectBattery, CardIsComplete) {
     EXPECT_LE(parameter.range.lowest, parameter.default_value);
     EXPECT_LE(parameter.default_value, parameter.range.highest);
     EXPECT_GT(parameter.scale, 0.0);
-    if (parameter.tried_in == TriedIn::si)
+    if (parameter.tried_in == TriedIn::si) {
       for (const double tried : parameter.tried) EXPECT_TRUE(parameter.range.contains(tried));
+    }
     EXPECT_FALSE(parameter.kind == ParameterKind::shot && parameter.fitted);
     // The unknown of a fit is the logarithm.
     const bool logarithm = parameter.fitted && parameter.kind == ParameterKind::logarithmic;
