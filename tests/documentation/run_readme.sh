@@ -7,6 +7,8 @@ readme="$1" build="$2" scratch="$3"
 
 rm -rf "$scratch" && mkdir -p "$scratch" && cd "$scratch"
 ln -s "$build" build
+export HOME="$scratch/home"  # what is installed below ~ stays here
+mkdir "$HOME"
 commands="$(awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$readme")"
 [ -n "$commands" ] || { echo 'the README holds no sh block' >&2; exit 1; }
 
