@@ -42,11 +42,10 @@ struct ScalarError {
 /// is three to four times the fine one, so that k of it is two or three of the fine one. The rules
 /// were chosen among a few by what they cover on 23 points of the stored campaign.
 ///
-/// Limit:  covers the truth in 95 ± 3 of 100 cases of every judged scalar, the median bar at most
-/// four
-///         errors wide -> test CoverageTest.BarsOfEveryQuantityCover, rows of `rebound verify`
-/// Source: 1.6: Xing & Stern, J. Fluids Eng. 132 (2010) 061403, factor of safety at the formal
-/// order.
+/// Limit:  covers the truth in 95 ± 3 of 100 cases of every judged scalar, the median bar at
+///         most four errors wide
+///         -> test CoverageTest.BarsOfEveryQuantityCover, rows of `rebound verify`.
+/// Source: Xing & Stern, J. Fluids Eng. 132 (2010) 061403: safety of 1.6 at the formal order.
 ScalarError scalar_error(const char* key, const FamilyValues& values);
 
 }  // namespace rebound

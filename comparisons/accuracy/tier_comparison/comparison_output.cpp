@@ -156,8 +156,7 @@ report::Figure scalar_figure(const CaseComparison& one, const std::string& key,
   report::Figure figure{.title = axis.quantity + " over speed",
                         .caption = "Bars are numerical errors.",
                         .x = {"approach speed", "m/s"},
-                        .y = axis,
-                        .series = {}};
+                        .y = axis};
   for (const char* tier : {"lumped", "fem"}) {
     report::Series series;
     series.name = std::string(tier) == "fem" ? "FE" : tier;

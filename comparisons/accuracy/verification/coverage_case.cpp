@@ -20,7 +20,7 @@ constexpr std::array quantities = {"restitution", "kinetic_energy_loss_share", "
 report::Series histogram(const std::vector<JudgedBar>& judged, const std::string& name) {
   constexpr double lowest = -3.0, highest = 1.0;
   constexpr int classes = 32;
-  report::Series series{.name = name, .x = {}, .y = {}};
+  report::Series series{.name = name};
   std::array<double, classes> count{};
   for (const JudgedBar& one : judged) {
     const double place = (std::log10(one.error / one.bar) - lowest) / (highest - lowest);
@@ -60,10 +60,6 @@ report::Table table_of(const std::vector<CoverageRow>& rows) {
   }
   return table;
 }
-
-}  // namespace
-
-namespace {
 
 void add_rows(const Coverage& found, const std::string& of, const std::string& source,
               VerificationTable& rows) {
@@ -131,8 +127,7 @@ VerificationPart verify_coverage(const std::filesystem::path& table) {
       .title = "How far the truth is, in bars",
       .caption = "Bars of every family of the stored campaign; right of 1 they do not cover.",
       .x = {"error over bar", "1", report::Axis::Spacing::logarithmic},
-      .y = {"share of the bars", "%"},
-      .series = {}};
+      .y = {"share of the bars", "%"}};
   figure.series.push_back(histogram(judged, "all quantities"));
   for (const char* quantity : quantities)
     figure.series.push_back(histogram(judge_bars(rows, quantity), quantity));

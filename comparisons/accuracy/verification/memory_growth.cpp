@@ -85,7 +85,7 @@ VerificationPart verify_memory(const FemTier& tier, const RunControl& control) {
   for (const MeasuredCase& one : cases()) {
     measure(tier, one.problem, one.first, control);  // what is loaded or kept at first use
     Refinement growth{.name = one.name, .size = {}, .error = {}, .expected_order = 1.1};
-    report::Series estimate{.name = fmt::format("estimate, {}", one.name), .x = {}, .y = {}};
+    report::Series estimate{.name = fmt::format("estimate, {}", one.name)};
     double largest = 0.0;
     for (int cells = one.first; cells <= one.last; cells *= 2) {
       const Measured found = measure(tier, one.problem, cells, control);

@@ -19,14 +19,7 @@ Axis cells_axis() {
 /// A line through `at` of the given power, over the cells of the family.
 Series guide(const std::vector<FamilyImpact>& family, const std::string& name, double power,
              double at_last) {
-  Series line{.name = name,
-              .role = Series::Role::reference,
-              .x = {},
-              .y = {},
-              .x_error = {},
-              .y_error = {},
-              .y_low = {},
-              .y_high = {}};
+  Series line{.name = name, .role = Series::Role::reference};
   const double last = family.back().result.cells;
   for (const FamilyImpact& member : family) {
     line.x.push_back(member.result.cells);
@@ -38,14 +31,7 @@ Series guide(const std::vector<FamilyImpact>& family, const std::string& name, d
 template <class Value>
 Series points(const std::vector<FamilyImpact>& family, const std::string& name,
               const Value& value) {
-  Series series{.name = name,
-                .style = Series::Style::points,
-                .x = {},
-                .y = {},
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
+  Series series{.name = name, .style = Series::Style::points};
   for (const FamilyImpact& member : family) {
     const double y = value(member);
     if (!(y > 0.0)) continue;
@@ -68,8 +54,7 @@ Figure convergence(const std::vector<FamilyImpact>& family) {
                              "with the line.",
                              finest.cells),
       .x = cells_axis(),
-      .y = {"relative deviation", "1", Axis::Spacing::logarithmic},
-      .series = {}};
+      .y = {"relative deviation", "1", Axis::Spacing::logarithmic}};
   figure.series = {
       points(family, "restitution", error_of(&ImpactScalars::restitution)),
       points(family, "largest deflection", error_of(&ImpactScalars::peak_deflection)),

@@ -60,7 +60,7 @@ report::Figure refinement_figure(const RefinementAxes& axes,
                                  const std::vector<Refinement>& refinements) {
   using report::Series;
   report::Figure figure{
-      .title = axes.title, .caption = axes.caption, .x = axes.size, .y = axes.error, .series = {}};
+      .title = axes.title, .caption = axes.caption, .x = axes.size, .y = axes.error};
   figure.x.spacing = figure.y.spacing = report::Axis::Spacing::logarithmic;
   for (const Refinement& refinement : refinements) {
     const PowerFit line = fit(refinement);

@@ -102,8 +102,8 @@ std::vector<double> ting(CompressionPath path, const ElasticForce& elastic) {
 report::Figure force_figure(const CompressionCurve& found, const std::vector<double>& expected,
                             const std::string& name) {
   using report::Series;
-  Series fe{.name = "FE", .style = Series::Style::points, .x = {}, .y = {}};
-  Series exact{.name = "Lee and Radok, Ting", .role = Series::Role::reference, .x = {}, .y = {}};
+  Series fe{.name = "FE", .style = Series::Style::points};
+  Series exact{.name = "Lee and Radok, Ting", .role = Series::Role::reference};
   for (std::size_t i = 0; i < found.force.size(); i += 8) {
     fe.x.push_back(1e3 * found.time[i]);
     fe.y.push_back(found.force[i]);

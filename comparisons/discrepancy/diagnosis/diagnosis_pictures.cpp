@@ -5,21 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/io/text.hpp"
+
 namespace rebound {
 namespace {
 
 using report::Origin;
 using report::Series;
 
-std::string words_of(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 /// What a curve depends on, as an axis says it.
 report::Axis axis_of(const FactorBand& band) {
   if (band.of == "rate_m_s") return {"rate of deflection", "m/s"};
-  return {words_of(band.of), "1"};
+  return {with_blanks(band.of), "1"};
 }
 
 }  // namespace
@@ -96,7 +93,7 @@ report::Matrix cosine_matrix(const Diagnosis& d) {
 
 report::Figure curve_figure(const FactorBand& band) {
   const bool factor = band.quantity == "factor";
-  const std::string quantity = words_of(band.quantity);
+  const std::string quantity = with_blanks(band.quantity);
   report::Figure figure{
       .title = "The missing " + quantity + " over " + axis_of(band).quantity,
       .caption = factor ? "What the force of the believed model has to be multiplied by: 1 is "
@@ -106,25 +103,18 @@ report::Figure curve_figure(const FactorBand& band) {
                         : "The points are fitted, with their 95 % band; the extended model goes "
                           "smoothly through them.",
       .x = axis_of(band),
-      .y = {quantity, "1"},
-      .series = {}};
+      .y = {quantity, "1"}};
   Series curve{.name = "fitted curve",
                .origin = Origin::fitted,
                .x = band.x,
                .y = band.factor,
-               .x_error = {},
-               .y_error = {},
                .y_low = band.low,
                .y_high = band.high};
   Series nothing{.name = "nothing missing",
                  .origin = Origin::predicted,
                  .role = Series::Role::reference,
                  .x = band.x,
-                 .y = std::vector<double>(band.x.size(), factor ? 1.0 : 0.0),
-                 .x_error = {},
-                 .y_error = {},
-                 .y_low = {},
-                 .y_high = {}};
+                 .y = std::vector<double>(band.x.size(), factor ? 1.0 : 0.0)};
   figure.series = {std::move(nothing), std::move(curve)};
   return figure;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_tables.hpp"
@@ -53,8 +54,9 @@ report::Section where_section(const Diagnosis& d) {
                     d.contradictions));
   if (d.gap.before) {
     section.blocks.push_back(map_matrix(d));
-    for (report::Figure& figure : residual_figures(d)) section.blocks.push_back(std::move(figure));
-    for (report::Figure& figure : history_figures(d)) section.details.push_back(std::move(figure));
+    ShotFigures figures = shot_figures(d);
+    for (report::Figure& figure : figures.residuals) section.blocks.push_back(std::move(figure));
+    for (report::Figure& figure : figures.histories) section.details.push_back(std::move(figure));
   }
   return section;
 }
@@ -124,7 +126,9 @@ report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
   for (const NamedEffect& one : d.effects)
     page.lead.push_back(report::Paragraph{effect_sentence(d, one)});
   if (d.seen) page.lead.push_back(report::Paragraph{gap_sentence(d)});
-  if (d.gap.before) page.lead.push_back(gap_figure(d));
+  if (d.gap.before)
+    if (report::Figure gaps = gap_figure(d); !gaps.series.empty())
+      page.lead.push_back(std::move(gaps));
   for (auto section_of : {where_section, what_section, certainty_section})
     if (report::Section section = section_of(d); holds_something(section))
       page.sections.push_back(std::move(section));

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "comparisons/io/text.hpp"
 #include "comparisons/io/toml/units.hpp"
 
 namespace rebound {
@@ -49,10 +50,8 @@ std::vector<FoundNumber> numbers_of(const Diagnosis& d, const NamedEffect& effec
   if (!card.is_switch && effect.size_of_balls.empty()) size("size", effect.size);
   for (const NumberWithInterval& one : effect.parameters) {
     const std::string unit = parameter_unit(card, one.name);
-    std::string name = one.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    numbers.push_back({name, in_said_unit(one.value, unit), in_said_unit(one.low, unit),
-                       in_said_unit(one.high, unit)});
+    numbers.push_back({with_blanks(one.name), in_said_unit(one.value, unit),
+                       in_said_unit(one.low, unit), in_said_unit(one.high, unit)});
   }
   return numbers;
 }

@@ -15,11 +15,7 @@ report::Series residual_series(const std::string& name, report::Origin origin,
   return {.name = name,
           .origin = origin,
           .x = report::scaled(residuals.time, report::milli),
-          .y = residuals.z,
-          .x_error = {},
-          .y_error = {},
-          .y_low = {},
-          .y_high = {}};
+          .y = residuals.z};
 }
 
 /// Nineteen in twenty where nothing is missing.
@@ -30,8 +26,6 @@ report::Series noise_band(const std::vector<double>& time) {
           .role = report::Series::Role::reference,
           .x = report::scaled(time, report::milli),
           .y = std::vector<double>(time.size(), 0.0),
-          .x_error = {},
-          .y_error = {},
           .y_low = std::vector<double>(time.size(), -reach),
           .y_high = std::vector<double>(time.size(), reach)};
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/residual_pictures.hpp"
 
@@ -16,15 +17,7 @@ using report::Series;
 
 Series line(const std::string& name, Origin origin, const std::vector<double>& time,
             const std::vector<double>& force) {
-  Series series{.name = name,
-                .origin = origin,
-                .role = Series::Role::candidate,
-                .x = {},
-                .y = force,
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
+  Series series{.name = name, .origin = origin, .role = Series::Role::candidate, .y = force};
   for (const double t : time) series.x.push_back(milli * t);
   return series;
 }
@@ -34,13 +27,7 @@ Series measured_points(const MeasuredImpact& shot) {
   Series series{.name = "measured",
                 .origin = Origin::measured,
                 .style = Series::Style::points,
-                .role = Series::Role::reference,
-                .x = {},
-                .y = {},
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
+                .role = Series::Role::reference};
   constexpr std::size_t shown = 120;
   const Trace& history = shot.trace;
   const std::size_t stride = std::max<std::size_t>(1, history.time.size() / shown);
@@ -89,8 +76,7 @@ report::Figure history_figure(const DrawnShot& drawn) {
   report::Figure figure{.title = drawn.title("Force"),
                         .caption = "Points with one standard deviation of the noise.",
                         .x = {"time", "ms"},
-                        .y = {"force", "N"},
-                        .series = {}};
+                        .y = {"force", "N"}};
   figure.series.push_back(measured_points(*drawn.shot));
   figure.series.push_back(line(before_name, drawn.origin, time, drawn.before));
   if (drawn.force_after())
@@ -99,15 +85,7 @@ report::Figure history_figure(const DrawnShot& drawn) {
 }
 
 Series points_of(const std::string& name, Origin origin) {
-  return {.name = name,
-          .origin = origin,
-          .style = Series::Style::points,
-          .x = {},
-          .y = {},
-          .x_error = {},
-          .y_error = {},
-          .y_low = {},
-          .y_high = {}};
+  return {.name = name, .origin = origin, .style = Series::Style::points};
 }
 
 }  // namespace
@@ -119,8 +97,7 @@ report::Figure gap_figure(const Diagnosis& d) {
           "Mean squared residual in variances of the noise: 1 is nothing missing, the band "
           "holds nineteen in twenty such shots. A point a shot.",
       .x = {"approach speed", "m/s"},
-      .y = {"reduced χ²", "1"},
-      .series = {}};
+      .y = {"reduced χ²", "1"}};
   Series noise = points_of("noise", Origin::derived);
   noise.style = Series::Style::line;
   noise.role = Series::Role::reference;
@@ -155,18 +132,15 @@ report::Figure gap_figure(const Diagnosis& d) {
   return figure;
 }
 
-std::vector<report::Figure> residual_figures(const Diagnosis& d) {
-  std::vector<report::Figure> figures;
+ShotFigures shot_figures(const Diagnosis& d) {
+  ShotFigures figures;
   for (const DrawnShot& one : drawn_shots(d)) {
-    figures.push_back(residual_figure(*one.shot, one.before, one.force_after(), one.origin));
-    figures.back().title = one.title("Residuals");
+    report::Figure residuals =
+        residual_figure(*one.shot, one.before, one.force_after(), one.origin);
+    residuals.title = one.title("Residuals");
+    figures.residuals.push_back(std::move(residuals));
+    figures.histories.push_back(history_figure(one));
   }
-  return figures;
-}
-
-std::vector<report::Figure> history_figures(const Diagnosis& d) {
-  std::vector<report::Figure> figures;
-  for (const DrawnShot& one : drawn_shots(d)) figures.push_back(history_figure(one));
   return figures;
 }
 

@@ -44,8 +44,7 @@ report::Figure trace_figure(const Inspection& found, const Dataset& dataset) {
           "As read from the files, baseline taken out where the data set asks for it; every "
           "point is a sample.",
       .x = {"time of the record", "ms"},
-      .y = {"force", "N"},
-      .series = {}};
+      .y = {"force", "N"}};
   const auto drawn = drawn_records(dataset);
   std::size_t most_skipped = 1;
   for (const std::size_t i : drawn) {
@@ -77,8 +76,7 @@ void add_over_speed(const Inspection& found, const std::vector<std::string>& key
   report::Figure figure{.title = title,
                         .caption = "Bars are one standard deviation.",
                         .x = {"approach speed", "m/s"},
-                        .y = axis,
-                        .series = {}};
+                        .y = axis};
   for (const std::string& key : keys) {
     Series series = points(key, key.starts_with("stated") ? Origin::measured : Origin::derived);
     for (const InspectedShot& shot : found.shots)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/trials/trial_text.hpp"
+#include "comparisons/io/text.hpp"
 
 namespace rebound {
 namespace {
@@ -14,14 +15,7 @@ using report::Origin;
 using report::Series;
 
 Series rate_series(const std::string& name, const RateTable& table, Share RateRow::*share) {
-  Series series{.name = name,
-                .origin = Origin::derived,
-                .x = {},
-                .y = {},
-                .x_error = {},
-                .y_error = {},
-                .y_low = {},
-                .y_high = {}};
+  Series series{.name = name, .origin = Origin::derived};
   for (const RateRow& row : table.rows) {
     const Share& one = row.*share;
     if (one.of == 0 || row.high <= 0.0) continue;
@@ -55,9 +49,7 @@ report::Matrix confusion_matrix(const ConfusionMatrix& confusion, const std::str
   for (const auto& [name, cells] : confusion) {
     int total = 0;
     for (const auto& [column, count] : cells) total += count;
-    std::string words = name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    report::MatrixRow row{fmt::format("{} ({})", words, total), {}};
+    report::MatrixRow row{fmt::format("{} ({})", with_blanks(name), total), {}};
     for (const std::string& column : columns) {
       const auto found = cells.find(column);
       const int count = found == cells.end() ? 0 : found->second;

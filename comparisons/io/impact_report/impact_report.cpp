@@ -93,8 +93,7 @@ Figure energies(const FemResult& result) {
       .title = "Where the energy is",
       .caption = "All channels; their sum stays what the ball brought, within the energy closure.",
       .x = {"time since first touch", "ms"},
-      .y = {"energy", "J"},
-      .series = {}};
+      .y = {"energy", "J"}};
   for (const Channel& channel : channels) {
     std::vector<double> values;
     for (const EnergyBalance& balance : result.energies) values.push_back(balance.*channel.member);

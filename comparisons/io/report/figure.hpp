@@ -31,12 +31,12 @@ struct Series {
   Origin origin = Origin::predicted;
   Style style = Style::line;
   Role role = Role::candidate;
-  std::vector<double> x;
-  std::vector<double> y;
-  std::vector<double> x_error;  ///< half-width of the error bar (optional)
-  std::vector<double> y_error;  ///< half-width of the error bar (optional)
-  std::vector<double> y_low;    ///< lower edge of the uncertainty band (optional)
-  std::vector<double> y_high;   ///< upper edge, given with y_low
+  std::vector<double> x{};
+  std::vector<double> y{};
+  std::vector<double> x_error{};  ///< half-width of the error bar (optional)
+  std::vector<double> y_error{};  ///< half-width of the error bar (optional)
+  std::vector<double> y_low{};    ///< lower edge of the uncertainty band (optional)
+  std::vector<double> y_high{};   ///< upper edge, given with y_low
 };
 
 inline constexpr double milli = 1e3;  ///< m to mm, s to ms
@@ -53,7 +53,7 @@ struct Figure {
   std::string caption;  ///< what to see in it, and what bars and bands mean
   Axis x;
   Axis y;
-  std::vector<Series> series;
+  std::vector<Series> series{};
 };
 
 }  // namespace rebound::report

@@ -1,8 +1,9 @@
 #include "comparisons/io/results/key_words.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
+
+#include "comparisons/io/text.hpp"
 
 namespace rebound {
 
@@ -16,7 +17,7 @@ KeyWords words_of_key(const std::string& key) {
       words = {key.substr(0, key.size() - std::string(ending).size()), unit};
       break;
     }
-  std::replace(words.quantity.begin(), words.quantity.end(), '_', ' ');
+  words.quantity = with_blanks(words.quantity);
   return words;
 }
 

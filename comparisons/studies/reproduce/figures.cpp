@@ -149,8 +149,7 @@ report::Figure figure_5(const Reproduction& reproduction) {
                             "Measured: Table 5, bars are half a printed digit. Predicted "
                             "from published parameters: bars are what rounding allows.",
                         .x = {"nominal speed", "m/s"},
-                        .y = {"contact time", "ms"},
-                        .series = {}};
+                        .y = {"contact time", "ms"}};
   for (std::size_t i = 0; i < reproduction.paper.cores.size(); ++i) {
     const PaperCore& core = reproduction.paper.cores[i];
     report::Series measured, model;
@@ -178,13 +177,11 @@ std::vector<report::Figure> figure_6(const Reproduction& reproduction) {
   report::Figure force{.title = "Fig. 6(a): force over deflection, stiffness varied",
                        .caption = label,
                        .x = deflection_axis,
-                       .y = force_axis,
-                       .series = {}};
+                       .y = force_axis};
   report::Figure motion{.title = "Fig. 6(b): deflection over time, stiffness varied",
                         .caption = label,
                         .x = time_axis,
-                        .y = deflection_axis,
-                        .series = {}};
+                        .y = deflection_axis};
   for (const StudyRun& run : run_parameter_study(reproduction.paper.parameter_study)) {
     const std::string name = fmt::format("{:g}e6 N/m^1.5", 1e-6 * run.stiffness);
     force.series.push_back(force_over_deflection(name, run.result.trace));

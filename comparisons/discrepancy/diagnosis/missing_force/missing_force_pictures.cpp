@@ -13,13 +13,7 @@ using Keeps = std::function<bool(double velocity)>;
 report::Series line_of(const MissingForceCurve& curve, const std::vector<double>& over,
                        double factor, const Keeps& keeps) {
   report::Series line{.name = fmt::format("{:.3g} m/s", curve.speed),
-                      .origin = report::Origin::fitted,
-                      .x = {},
-                      .y = {},
-                      .x_error = {},
-                      .y_error = {},
-                      .y_low = {},
-                      .y_high = {}};
+                      .origin = report::Origin::fitted};
   for (std::size_t i = 0; i < over.size(); ++i) {
     if (!keeps(curve.velocity[i])) continue;
     line.x.push_back(factor * over[i]);
@@ -40,8 +34,7 @@ report::Figure figure_of(const MissingForce& missing, const std::string& title,
           "band. It stands beside the numbers of the law at which it is smallest; the band "
           "holds the noise and what it did to the motion.",
       .x = x,
-      .y = {"missing force", "N"},
-      .series = {}};
+      .y = {"missing force", "N"}};
   for (const MissingForceCurve& curve : missing.curves)
     figure.series.push_back(line_of(curve, curve.*over, factor, keeps));
   return figure;

@@ -16,15 +16,7 @@ using report::Series;
 constexpr int drawn_points = 101;  // a pixel or two apart in the widest figure
 
 Series series_of(const std::string& name, Origin origin, Series::Role role) {
-  return {.name = name,
-          .origin = origin,
-          .role = role,
-          .x = {},
-          .y = {},
-          .x_error = {},
-          .y_error = {},
-          .y_low = {},
-          .y_high = {}};
+  return {.name = name, .origin = origin, .role = role};
 }
 
 /// The FE trace up to the end of contact, with the two meshes as its band.
@@ -61,18 +53,15 @@ struct Views {
                           "Deflection of the centre of mass. Points: peaks that the paper "
                           "calls typical of its four cores together.",
                       .x = {"deflection", "mm"},
-                      .y = {"force", "N"},
-                      .series = {}};
+                      .y = {"force", "N"}};
   report::Figure history{.title = "Force against time",
                          .caption = "Band: FE on the coarse and on the reference mesh.",
                          .x = {"time", "ms"},
-                         .y = {"force", "N"},
-                         .series = {}};
+                         .y = {"force", "N"}};
   report::Figure motion{.title = "Deflection against time",
                         .caption = "Point on the axis: measured contact time.",
                         .x = {"time", "ms"},
-                        .y = {"deflection", "mm"},
-                        .series = {}};
+                        .y = {"deflection", "mm"}};
 
   void add(const std::string& name, Origin origin, Series::Role role, const Trace& trace) {
     Series series = series_of(name, origin, role);

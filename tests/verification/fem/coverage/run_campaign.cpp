@@ -61,9 +61,12 @@ class CoverageCampaign {
   /// The table is written with every family that it lacked.
   void run(const std::vector<PlannedFamily>& planned) {
     std::vector<const PlannedFamily*> missing;
-    for (const PlannedFamily& family : planned) {
-      place_.emplace(name_of(family.row), place_.size());
-      if (!in_table_.contains(name_of(family.row))) missing.push_back(&family);
+    {
+      const std::lock_guard lock(guard_);  // stop() may come at any time
+      for (const PlannedFamily& family : planned) {
+        place_.emplace(name_of(family.row), place_.size());
+        if (!in_table_.contains(name_of(family.row))) missing.push_back(&family);
+      }
     }
     in_parallel(missing.size(), [&](std::size_t i) {
       const MemberResult result = found_or_run(*missing[i], missing.size());

@@ -115,8 +115,8 @@ TEST(ScalarErrorTest, ScalarsThatRideOnNodesTakeThreeEstimates) {
               std::hypot(1.25 * 0.01 / 3.0, 0.004, 2.0 * 0.003), 1e-12);
 }
 
-/// Points of the stored campaign with an odd number, on which the estimator was chosen, or with an
-/// even one, on which it is judged.
+/// Points of the stored campaign with an odd number or with an even one. Both were in view when the
+/// estimator was chosen: a half that fell far behind would show a rule that fits one point or two.
 std::vector<JudgedBar> half_of(const std::vector<JudgedBar>& judged, int rest) {
   std::vector<JudgedBar> half;
   for (const JudgedBar& one : judged)

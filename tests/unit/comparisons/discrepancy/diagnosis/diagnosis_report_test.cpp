@@ -38,8 +38,10 @@ TEST(DiagnosisReportTest, TheFirstScreenHoldsNumbersWithUnitsAndTheGapAtTheUnsee
   EXPECT_NEAR(before->y[0], *d.gap.held_out_before, 1e-9);
   EXPECT_NEAR(after->y[0], *d.gap.held_out_after, 1e-9);
   EXPECT_EQ(found_table(d).rows.size(), 2u);
-  EXPECT_EQ(residual_figures(d).size(), 3u);
-  EXPECT_NE(residual_figures(d).front().title.find("unseen"), std::string::npos);
+  const ShotFigures figures = shot_figures(d);
+  EXPECT_EQ(figures.residuals.size(), 3u);
+  EXPECT_EQ(figures.histories.size(), 3u);
+  EXPECT_NE(figures.residuals.front().title.find("unseen"), std::string::npos);
 }
 
 TEST(DiagnosisReportTest, WhereNothingIsMissingOnlyTheBelievedModelIsDrawn) {

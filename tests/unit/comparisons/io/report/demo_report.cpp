@@ -102,13 +102,11 @@ Overlay overlay_of(const Ball& ball, double speed) {
   Figure force{.title = "Force over deflection",
                .caption = "",
                .x = {"deflection", "mm"},
-               .y = {"force", "kN"},
-               .series = {}};
+               .y = {"force", "kN"}};
   Figure motion{.title = "Deflection over time",
                 .caption = "",
                 .x = {"time", "ms"},
-                .y = {"deflection", "mm"},
-                .series = {}};
+                .y = {"deflection", "mm"}};
   for (const Law& law : laws()) {
     const Curves curves = kelvin_voigt(ball, speed, law.damping_ratio);
     force.series.push_back(series_of(law, curves.deflection_mm, curves.force_kN));
@@ -170,8 +168,7 @@ Figure convergence() {
   Figure figure{.title = "Convergence of a made-up error",
                 .caption = "Slope 2 by construction.",
                 .x = {"cell size", "mm", Axis::Spacing::logarithmic},
-                .y = {"relative error", "1", Axis::Spacing::logarithmic},
-                .series = {}};
+                .y = {"relative error", "1", Axis::Spacing::logarithmic}};
   Series error;
   error.name = "made-up error";
   error.style = Series::Style::points;
