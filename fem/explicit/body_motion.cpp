@@ -33,9 +33,7 @@ BodyMotion::Sums BodyMotion::sums() const {
 }
 
 void BodyMotion::kick(double span, double gravity) {
-  const std::vector<double>& moving = dispersion_.corrected(inverse_mass_, force);
-  for (std::size_t i = 0; i < velocity.size(); ++i)
-    velocity[i] -= span * moving[i] * inverse_mass_[i];
+  dispersion_.kick(span, inverse_mass_, force, velocity);
   if (gravity == 0.0) return;
   for (int node = 0; node < body_.node_count(); ++node) velocity[2 * node + 1] -= span * gravity;
 }

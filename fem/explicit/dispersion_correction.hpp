@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
@@ -43,19 +44,34 @@ class DispersionCorrection {
 
   /// f + L y: the force whose accelerations with the lumped mass are a.
   /// [node][2] (r, z); `inverse_mass` is zero where a node is held.
-  const std::vector<double>& corrected(const std::vector<double>& inverse_mass,
-                                       const std::vector<double>& force);
+  std::vector<double> corrected(const std::vector<double>& inverse_mass,
+                                const std::vector<double>& force);
+
+  /// v − a `span`, in one pass over the nodes.
+  void kick(double span, const std::vector<double>& inverse_mass, const std::vector<double>& force,
+            std::vector<double>& velocity);
 
   /// ½ vᵀ L v: what the kinetic energy is less than that of the lumped mass [J].
   double kinetic(const std::vector<double>& velocity) const;
 
- private:
-  struct Pair {
-    int first, second;
-    double mass;  ///< −L between them [kg]
+  /// Another node that a node shares a cell with.
+  struct Neighbour {
+    double mass;        ///< −L between them [kg]
+    std::ptrdiff_t at;  ///< of its r in [node][2]
   };
-  std::vector<Pair> pairs_;
-  std::vector<double> acceleration_, corrected_;
+  /// A node and its neighbours by number, [begin, end) of all; those of higher number from `upper`.
+  struct Row {
+    std::ptrdiff_t at;
+    int begin, upper, end;
+  };
+
+ private:
+  void find_accelerations(const std::vector<double>& inverse_mass,
+                          const std::vector<double>& force);
+
+  std::vector<Row> rows_;  ///< of every node
+  std::vector<Neighbour> neighbours_;
+  std::vector<double> acceleration_;  ///< y
 };
 
 }  // namespace rebound::fem

@@ -112,6 +112,10 @@ struct CellKernel {
   /// The same, and where the energy is at that instant.
   CellSummary (*forces_and_energies)(const CellArrays&, const BranchStep*, const CellMotion& motion,
                                      double* history, double* force, CellEnergies& energies);
+  /// Forces of an elastic law and branches by convolution with no loss counted: what the counting
+  /// costs is measured against it (bench_fem, `losses`), and nothing else asks for it.
+  CellSummary (*forces_without_losses)(const CellArrays&, const BranchStep*,
+                                       const CellMotion& motion, double* history, double* force);
   /// Hyperelastic energy of the long-term state, after any softening [J].
   double (*stored_energy)(const CellArrays&, const double* displacement, const double* history);
 };

@@ -199,6 +199,17 @@ CellSummary forces_and_energies(const CellArrays& cells, const BranchStep* branc
   return forces_of_any<Energies::all>(cells, branches, motion, history, force, &energies);
 }
 
+CellSummary forces_without_losses(const CellArrays& cells, const BranchStep* branches,
+                                  const CellMotion& motion, double* history, double* force) {
+  return with_elastic(cells.elastic, [&](const auto& elastic) {
+    return cells.volume_shares
+               ? internal_forces_of<Energies::none, Dilatation::of_cell>(
+                     elastic, cells, branches, motion.displacement, history, force, nullptr)
+               : internal_forces_of<Energies::none, Dilatation::of_points>(
+                     elastic, cells, branches, motion.displacement, history, force, nullptr);
+  });
+}
+
 double stored_energy(const CellArrays& cells, const double* displacement, const double* history) {
   return with_elastic(cells.elastic, [&](const auto& elastic) {
     return cells.inelastic.factor_acts ? factored_energy_of(elastic, cells, displacement, history)
@@ -209,7 +220,8 @@ double stored_energy(const CellArrays& cells, const double* displacement, const 
 }  // namespace
 
 extern const CellKernel REBOUND_KERNEL_SYMBOL;
-const CellKernel REBOUND_KERNEL_SYMBOL = {REBOUND_KERNEL_NAME, width, internal_forces,
-                                          forces_and_energies, stored_energy};
+const CellKernel REBOUND_KERNEL_SYMBOL = {REBOUND_KERNEL_NAME,   width,
+                                          internal_forces,       forces_and_energies,
+                                          forces_without_losses, stored_energy};
 
 }  // namespace rebound::fem

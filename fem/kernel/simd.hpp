@@ -38,7 +38,7 @@ using OnlyVector = V;
 /// Error: below 3 units in the last place (or 1e-16 absolute near x = 1)
 ///        -> test SimdMath.LogAgainstLibrary
 template <class V>
-inline OnlyVector<V> log(V x) {
+[[gnu::always_inline]] inline OnlyVector<V> log(V x) {
   using Integer = typename VectorOf<sizeof(V) / 8>::Integer;
   Integer bits;
   std::memcpy(&bits, &x, sizeof(V));

@@ -2,7 +2,8 @@
 // and step of the kernel, milliseconds per whole impact. Figures exclude
 // process start and meshing. Time is the mean; the counters are of the fastest
 // iteration, which other work on the machine disturbs least; those of whole
-// impacts per cell and step count processor time, set-up included.
+// impacts per cell and step count processor time, set-up included, and stand
+// over the bare kernel of the same run (over_kernel).
 //
 //   ninja bench                       this beside the lumped tier
 //   bench_fem --benchmark_filter=impact
@@ -94,48 +95,91 @@ double bytes_per_cell(int branches) {
          nodes_per_cell * 4 + 8 + 3 * 16;
 }
 
+/// The cells of one body, to be stepped again and again.
+class SteppedCells {
+ public:
+  SteppedCells(const fem::CellKernel& kernel, const FemProblem& problem, int refinements)
+      : kernel_(kernel),
+        body_(fem::discretise(sphere(refinements), problem.sphere.mass)),
+        constants_(fem::viscoelastic_constants(problem.material)),
+        cells_(body_, constants_, kernel.width),
+        prony_(constants_, 1e-6),
+        history_(cells_.make_history()),
+        displacement_(test::stretched(body_, 1.02, 0.95)),
+        force_(displacement_.size(), 0.0) {}
+
+  /// Processor seconds of one step; `losses` false: without counting what branches lose.
+  double step(bool losses = true) {
+    const auto function = losses ? kernel_.internal_forces : kernel_.forces_without_losses;
+    return seconds_of([&] {
+      benchmark::DoNotOptimize(
+          function(cells_.arrays(), prony_.data(),
+                   {.displacement = displacement_.data(), .velocity = displacement_.data()},
+                   history_.data(), force_.data()));
+    });
+  }
+
+  double count() const { return static_cast<double>(body_.cells.size()); }
+
+ private:
+  const fem::CellKernel& kernel_;
+  fem::Discretisation body_;
+  fem::ViscoelasticConstants constants_;
+  fem::CellBatches cells_;
+  fem::PronySteps prony_;
+  std::vector<double> history_, displacement_, force_;
+};
+
 void cell_step(benchmark::State& state, const fem::CellKernel* kernel, int branches,
                int refinements, double poisson_ratio) {
-  const FemProblem problem = problem_with(branches, poisson_ratio);
-  const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
-  const auto constants = fem::viscoelastic_constants(problem.material);
-  const fem::CellBatches cells(body, constants, kernel->width);
-  const fem::PronySteps prony(constants, 1e-6);
-  auto history = cells.make_history();
-  const auto u = test::stretched(body, 1.02, 0.95);
-  std::vector<double> force(u.size(), 0.0);
-  const double best = fastest(state, [&] {
-    return seconds_of([&] {
-      benchmark::DoNotOptimize(kernel->internal_forces(
-          cells.arrays(), prony.data(), {.displacement = u.data(), .velocity = u.data()},
-          history.data(), force.data()));
-    });
+  SteppedCells cells(*kernel, problem_with(branches, poisson_ratio), refinements);
+  const double best = fastest(state, [&] { return cells.step(); });
+  state.counters["cells"] = cells.count();
+  state.counters["ns_per_cell_step"] = 1e9 * best / cells.count();
+  state.counters["GB_per_s"] = 1e-9 * cells.count() * bytes_per_cell(branches) / best;
+}
+
+/// What counting the losses point by point costs: steps with and without, turn by turn.
+void losses(benchmark::State& state, int branches, double poisson_ratio) {
+  SteppedCells cells(fem::choose_cell_kernel(), problem_with(branches, poisson_ratio), 0);
+  double without = std::numeric_limits<double>::infinity();
+  const double with = fastest(state, [&] {
+    without = std::min(without, cells.step(false));
+    return cells.step();
   });
-  const auto count = static_cast<double>(body.cells.size());
-  state.counters["cells"] = count;
-  state.counters["ns_per_cell_step"] = 1e9 * best / count;
-  state.counters["GB_per_s"] = 1e-9 * count * bytes_per_cell(branches) / best;
+  state.counters["ns_per_cell_step"] = 1e9 * with / cells.count();
+  state.counters["over_no_losses"] = with / without;
+}
+
+/// Fastest step of the kernel alone among a few dozen.
+double kernel_seconds(SteppedCells& cells) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 50; ++i) best = std::min(best, cells.step());
+  return best;
 }
 
 void impact(benchmark::State& state, int branches, int refinements, double poisson_ratio) {
   const FemProblem problem = problem_with(branches, poisson_ratio);
   const auto body = fem::discretise(sphere(refinements), problem.sphere.mass);
+  SteppedCells cells(fem::choose_cell_kernel(), problem, refinements);
   FemResult result;
-  double processor = std::numeric_limits<double>::infinity();
+  double processor = std::numeric_limits<double>::infinity(), alone = processor;
   const double best = fastest(state, [&] {
+    alone = std::min(alone, kernel_seconds(cells));
     processor = std::min(processor, processor_seconds_of([&] {
                            result = fem::run_explicit_impact(body, problem, {});
                          }));
     return result.wall_seconds;
   });
   if (!result.incomplete_because.empty()) state.SkipWithError(result.incomplete_because.c_str());
+  const auto steps = static_cast<double>(result.steps);
   state.counters["cells"] = result.cells;
-  state.counters["steps"] = static_cast<double>(result.steps);
+  state.counters["steps"] = steps;
   state.counters["wall_ms"] = 1e3 * best;
   state.counters["processor_ms"] = 1e3 * processor;
   state.counters["setup_ms"] = 1e3 * result.setup_seconds;
-  state.counters["ns_per_cell_step"] =
-      1e9 * processor / (result.cells * static_cast<double>(result.steps));
+  state.counters["ns_per_cell_step"] = 1e9 * processor / (result.cells * steps);
+  state.counters["over_kernel"] = processor / (alone * steps);
   state.counters["restitution"] = result.restitution_momentum;
 }
 
@@ -159,6 +203,13 @@ void register_all() {
                 cell_step, kernel, branches, size, poisson_ratio)
                 ->Unit(benchmark::kMicrosecond)
                 ->MinTime(0.1);
+  for (const int branches : {1, 2})
+    for (const double poisson_ratio : {0.4, 0.49})
+      add("losses/branches:" + std::to_string(branches) +
+              (poisson_ratio > 0.45 ? "/mean_dilatation" : ""),
+          losses, branches, poisson_ratio)
+          ->Unit(benchmark::kMicrosecond)
+          ->Iterations(5000);
   for (int branches = 0; branches <= 2; ++branches)
     for (int size = 0; size < 3; ++size)
       add("impact/branches:" + std::to_string(branches) + "/cells:" + sizes[size], impact, branches,

@@ -13,8 +13,12 @@ struct PlannedFamily {
   FemProblem problem;
 };
 
-/// Thirty points over speed, Poisson ratio and branch, by a Halton sequence, and their families.
+/// Thirty points over speed, Poisson ratio and branch, by a Halton sequence, six more of nearly
+/// incompressible balls, and their families.
 std::vector<PlannedFamily> planned_families();
+
+/// What a family takes, in no unit: the cheap ones are run first.
+double relative_cost(const PlannedFamily& family);
 
 /// Three families of few cells of one ball: seconds, to see the campaign at work.
 std::vector<PlannedFamily> families_to_try();

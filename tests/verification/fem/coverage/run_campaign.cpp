@@ -58,7 +58,7 @@ class CoverageCampaign {
     for (const CoverageRow& row : rows_) in_table_.insert(name_of(row));
   }
 
-  /// The table is written with every family that it lacked.
+  /// The table is written with every family that it lacked, the cheap ones first.
   void run(const std::vector<PlannedFamily>& planned) {
     std::vector<const PlannedFamily*> missing;
     {
@@ -68,6 +68,10 @@ class CoverageCampaign {
         if (!in_table_.contains(name_of(family.row))) missing.push_back(&family);
       }
     }
+    std::stable_sort(missing.begin(), missing.end(),
+                     [](const PlannedFamily* a, const PlannedFamily* b) {
+                       return relative_cost(*a) < relative_cost(*b);
+                     });
     in_parallel(missing.size(), [&](std::size_t i) {
       const MemberResult result = found_or_run(*missing[i], missing.size());
       add_to_table(rows_of(result, missing[i]->row));
