@@ -18,12 +18,6 @@ double p_value_of(const HypothesisFit& fit, double noise_freedom) {
   return chi_squared_chance_above(fit.freedom, fit.data_chi_square);
 }
 
-bool has_curve(const HypothesisFit& fit) {
-  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
-    return find_effect(one.name).card.is_free_form;
-  });
-}
-
 double largest_z(const ResidualMap& map) {
   double largest = 0.0;
   for (const MapCell& cell : map.cells) largest = std::max(largest, std::abs(cell.z));
@@ -57,6 +51,12 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
 }
 
 }  // namespace
+
+bool has_curve(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.is_free_form;
+  });
+}
 
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      const std::vector<std::string>& effects) {

@@ -47,7 +47,17 @@ struct AssessedFit {
   double information_criterion() const {
     return fit.information_criterion + unseen_chi_square.value_or(0.0);
   }
+  /// χ² + 2 k, the same. By χ² + k ln N alone, an adequate model of one number would exclude a
+  /// truth of two: ln N of all samples is more than the reach of a set.
+  double prediction_criterion() const {
+    return fit.prediction_criterion + unseen_chi_square.value_or(0.0);
+  }
+  /// Where a curve is adequate: only since it is allowed to leave a share of the residuals.
+  bool leaves_structure() const { return !map.quiet() || best_remaining > remaining_threshold; }
 };
+
+/// Is one of its effects a free form?
+bool has_curve(const HypothesisFit& fit);
 
 /// Those of `effects` that are not present.
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,

@@ -10,12 +10,6 @@
 namespace rebound {
 namespace {
 
-/// χ² + 2 k. By χ² + k ln N alone, an adequate model of one number would exclude a truth of two:
-/// ln N of all samples is more than the reach of a set.
-double prediction_criterion(const AssessedFit& one) {
-  return one.fit.chi_square + 2.0 * one.fit.effect_unknowns + one.unseen_chi_square.value_or(0.0);
-}
-
 /// The best of either criterion.
 struct Criteria {
   double information = std::numeric_limits<double>::infinity();
@@ -23,7 +17,7 @@ struct Criteria {
 
   void compare_with(const AssessedFit& one) {
     information = std::min(information, one.information_criterion());
-    prediction = std::min(prediction, prediction_criterion(one));
+    prediction = std::min(prediction, one.prediction_criterion());
   }
 };
 
@@ -37,7 +31,7 @@ Criteria best_of(const std::vector<AssessedFit>& tried) {
 
 bool within_reach(const AssessedFit& one, const Criteria& best, double reach) {
   return one.information_criterion() <= best.information + reach ||
-         prediction_criterion(one) <= best.prediction + reach;
+         one.prediction_criterion() <= best.prediction + reach;
 }
 
 /// Is `general` what `special` is, with a free curve in place of the formulas of its family?
@@ -100,6 +94,14 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
   return minimal;
 }
 
+bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::size_t>& members,
+                  std::size_t known) {
+  return std::any_of(members.begin(), members.end(), [&](std::size_t i) {
+    const AssessedFit& one = tried[i];
+    return one.fit.effects.size() != known + 1 || !has_curve(one.fit) || !one.leaves_structure();
+  });
+}
+
 const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
                                         double smallest_p) {
   const double best = best_of(tried).information;
@@ -114,11 +116,14 @@ const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, d
 void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
                             std::vector<std::size_t>& members) {
   const double best = best_of(tried).information;
+  const bool singles = std::all_of(members.begin(), members.end(), [&](std::size_t i) {
+    return tried[i].fit.effects.size() == known + 1;
+  });
   bool preferred = false;
   for (AssessedFit& one : tried) {
-    if (!one.nearly_adequate || one.fit.effects.size() != known + 1 ||
-        one.information_criterion() >= best - reach)
-      continue;
+    if (one.adequate || !one.nearly_adequate || one.fit.effects.size() != known + 1) continue;
+    const bool leads_singles = singles && !has_curve(one.fit) && one.information_criterion() < best;
+    if (one.information_criterion() >= best - reach && !leads_singles) continue;
     one.adequate = preferred = true;
   }
   if (preferred) members = indistinguishable_models(tried, reach);

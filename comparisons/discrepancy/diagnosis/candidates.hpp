@@ -19,6 +19,11 @@ void judge_candidates(std::vector<AssessedFit>& tried, double reach,
 std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
                                                   double reach);
 
+/// May a search end with these candidates? Not with none, and not with single curves alone that
+/// leave what noise does not: a curve bends to most of what two effects do together.
+bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::size_t>& members,
+                  std::size_t known);
+
 /// The best fit whose χ² noise could make, where it is beyond reach of every adequate one, to the
 /// better: something is left beside it, and what leaves nothing fits plainly worse. Null: none.
 const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
@@ -26,7 +31,8 @@ const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, d
 
 /// A single effect that is nearly adequate and beyond reach of all adequate sets, to the better:
 /// what fits worse explains the data no better. Where there are some, they are adequate, and the
-/// candidates.
+/// candidates. A formula that is nearly adequate and leads adequate single effects by less stands
+/// beside them: it is no less likely for what it leaves than they are for fitting worse.
 void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
                             std::vector<std::size_t>& members);
 

@@ -111,7 +111,7 @@ bool EffectSearch::is_settled() const {
   const bool single = std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
     return added(selection_.tried[i].fit) == 1;
   });
-  return !candidates.empty() &&
+  return may_end_with(selection_.tried, candidates, base().effects.size()) &&
          !(single && leader_over_adequate(selection_.tried, rules_.close_criterion,
                                           rules_.smallest_adequate_p));
 }

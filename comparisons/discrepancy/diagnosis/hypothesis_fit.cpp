@@ -56,6 +56,30 @@ double numbers_of(const HypothesisFit& fit, std::size_t k) {
   return std::max(1.0, numbers);
 }
 
+/// Frequencies of effect k that a search picked from a grid.
+int picked_frequencies(const EffectCard& card) {
+  if (card.oscillator_pair) return 2;
+  if (card.oscillator) return 1;
+  return static_cast<int>(
+      std::count_if(card.parameters.begin(), card.parameters.end(), [](const auto& one) {
+        return one.fitted && one.dimension == dimension::frequency && one.tried.size() > 1;
+      }));
+}
+
+/// χ² + k ln N and χ² + 2 k.
+void count_numbers(const Observations& seen, HypothesisFit& fit) {
+  const double each = std::log(independent_data(seen, *fit.model));
+  fit.effect_unknowns = 0.0;
+  int picked = 0;
+  for (std::size_t k = 0; k < fit.effects.size(); ++k) {
+    fit.effect_unknowns += numbers_of(fit, k);
+    picked += picked_frequencies(find_effect(fit.effects[k].name).card);
+  }
+  fit.information_criterion = fit.chi_square + fit.effect_unknowns * each;
+  fit.prediction_criterion =
+      fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
+}
+
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, SearchEffort effort, const RunControl& control) {
   HypothesisFit fit;
@@ -88,13 +112,10 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     fit.chi_square += square;
     if (i < data) fit.data_chi_square += square;
   }
-  for (std::size_t k = 0; k < hypothesis.effects.size(); ++k)
-    fit.effect_unknowns += numbers_of(fit, k);
   const auto priors = static_cast<int>(fit.residuals.size() - data);
   fit.freedom =
       std::max(1, static_cast<int>(data) - (static_cast<int>(fit.values.size()) - priors));
-  fit.information_criterion =
-      fit.chi_square + fit.effect_unknowns * std::log(independent_data(seen, *model));
+  count_numbers(seen, fit);
   return fit;
 }
 

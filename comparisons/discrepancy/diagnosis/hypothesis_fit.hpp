@@ -27,6 +27,10 @@ struct HypothesisFit {
   double effect_unknowns = 0.0;
   /// χ² + k ln N, N the independent data.
   double information_criterion = 0.0;
+  /// χ² + 2 k, and ln N in place of 2 for each frequency of an effect that swings: it was picked
+  /// from as many as the records can tell apart, and of many some fits noise (look-elsewhere
+  /// effect).
+  double prediction_criterion = 0.0;
 
   std::size_t data_rows() const { return model->rows().size(); }
   double reduced_chi_square() const { return data_chi_square / freedom; }

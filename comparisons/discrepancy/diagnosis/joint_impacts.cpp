@@ -3,6 +3,7 @@
 
 #include "comparisons/discrepancy/diagnosis/joint_model.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
+#include "comparisons/models/instrument/contact_ends.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/error.hpp"
@@ -17,9 +18,10 @@ constexpr std::size_t most_kept = 256;      // impacts a shot
 /// No impact where numbers that a search tries are outside what a problem may have.
 ModelledImpact run_lumped(const LumpedProblem& problem) try {
   LumpedResult result = simulate_fast(problem);
-  return {.trace = std::move(result.trace),
+  const Plate& plate = problem.model.mechanisms.plate;
+  return {.trace = plate.moves() ? std::move(result.trace) : with_finer_ends(result.trace),
           .scalars = result.scalars,
-          .plate = problem.model.mechanisms.plate};
+          .plate = plate};
 } catch (const Error& error) {
   if (error.code() != ExitCode::bad_input) throw;
   throw Error(ExitCode::solver_failed, error.what());

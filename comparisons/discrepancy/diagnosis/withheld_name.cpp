@@ -45,6 +45,21 @@ void let_the_believed_model_stand(Diagnosis& d) {
   d.gap.held_out_after.reset();
 }
 
+/// A fault that all shots share would be there at the unseen speed, too; one of a single shot is
+/// not.
+bool is_shared_fault(const Diagnosis& d) {
+  const auto of_a_shot = [](const std::string& name) {
+    const auto& parameters = find_effect(name).card.parameters;
+    return std::any_of(parameters.begin(), parameters.end(), [](const EffectParameterCard& one) {
+      return one.kind == ParameterKind::shot;
+    });
+  };
+  return d.verdict == DiagnosisVerdict::measurement_fault &&
+         std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
+           return std::none_of(names.begin(), names.end(), of_a_shot);
+         });
+}
+
 }  // namespace
 
 DiagnosisVerdict without_name(const Diagnosis& d) {
@@ -56,6 +71,7 @@ void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {
   d.withheld = why;
   if (weaker == DiagnosisVerdict::unexplained) d.family = EffectFamily::none;
   d.effects.clear();
+  d.fault.clear();
   // The repair of a formula that contradicts its own restitution stands by itself.
   const HypothesisFit& baseline = d.selection.baseline.fit;
   for (std::size_t k = d.believed_effects; k < baseline.effects.size(); ++k)
@@ -76,7 +92,8 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& r
     return;
   }
   const bool names = d.verdict == DiagnosisVerdict::missing ||
-                     d.verdict == DiagnosisVerdict::one_of || d.verdict == DiagnosisVerdict::family;
+                     d.verdict == DiagnosisVerdict::one_of ||
+                     d.verdict == DiagnosisVerdict::family || is_shared_fault(d);
   if (!names || !d.gap.held_out_before || !d.gap.held_out_after) return;
   if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
   constexpr double deviations = 3.0, worth_having = 0.5;

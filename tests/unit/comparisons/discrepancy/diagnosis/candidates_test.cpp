@@ -17,6 +17,7 @@ AssessedFit adequate_fit(const std::vector<std::string>& effects, double chi_squ
   one.fit.chi_square = chi_square;
   one.fit.effect_unknowns = unknowns;
   one.fit.information_criterion = chi_square + unknowns * std::log(1000.0);
+  one.fit.prediction_criterion = chi_square + 2.0 * unknowns;
   one.judged = one.adequate = true;
   return one;
 }
@@ -51,6 +52,29 @@ TEST(CandidatesTest, EitherCriterionKeepsACandidateAndBothCountItsNumbers) {
                                        adequate_fit({"force-exponent", "gravity"}, 1002.0, 3),
                                        adequate_fit({"relaxation", "adhesion"}, 998.0, 9)};
   EXPECT_EQ(indistinguishable_models(tried, reach), (Members{0, 1}));
+}
+
+/// A curve that fits so well, and a formula beside it that leaves so much more.
+std::vector<AssessedFit> curve_that_leaves(double remaining) {
+  std::vector<AssessedFit> tried{adequate_fit({"unloading-curve"}, 1000.0, 4),
+                                 adequate_fit({"hysteresis", "permanent-set"}, 1300.0, 2)};
+  tried[1].adequate = false;
+  tried[0].best_remaining = remaining;
+  tried[0].remaining_threshold = 15.0;
+  return tried;
+}
+
+TEST(CandidatesTest, ASearchMayEndWithACurveThatLeavesNothing) {
+  EXPECT_TRUE(may_end_with(curve_that_leaves(14.0), {0}, 0));
+}
+
+TEST(CandidatesTest, ASearchMayNotEndWithACurveAloneThatLeavesStructure) {
+  EXPECT_FALSE(may_end_with(curve_that_leaves(40.0), {0}, 0));
+  EXPECT_TRUE(may_end_with(curve_that_leaves(40.0), {0, 1}, 0));
+}
+
+TEST(CandidatesTest, ASearchMayNotEndWithNothing) {
+  EXPECT_FALSE(may_end_with({}, {}, 0));
 }
 
 }  // namespace

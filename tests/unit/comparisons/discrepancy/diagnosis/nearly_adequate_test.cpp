@@ -11,7 +11,7 @@ using Members = std::vector<std::size_t>;
 AssessedFit fit_of(const std::vector<std::string>& effects, double criterion) {
   AssessedFit one;
   for (const std::string& name : effects) one.fit.effects.push_back({.name = name});
-  one.fit.chi_square = one.fit.information_criterion = criterion;
+  one.fit.chi_square = one.fit.information_criterion = one.fit.prediction_criterion = criterion;
   one.judged = true;
   return one;
 }
@@ -43,6 +43,30 @@ TEST(NearlyAdequateTest, SoDoesAFormula) {
   Members members{1};
   prefer_nearly_adequate(tried, 0, 6.0, members);
   EXPECT_EQ(members, (Members{0}));
+}
+
+/// The candidates when a nearly adequate formula leads adequate ones by so much.
+Members candidates_behind(const std::string& leader, const std::vector<std::string>& other,
+                          double behind) {
+  std::vector<AssessedFit> tried{fit_of({leader}, 1000.0), fit_of(other, 1000.0 + behind)};
+  tried[0].nearly_adequate = true;
+  tried[1].adequate = true;
+  Members members{1};
+  prefer_nearly_adequate(tried, 0, 6.0, members);
+  return members;
+}
+
+TEST(NearlyAdequateTest, AFormulaThatLeadsStandsBesideASingleWithinReach) {
+  EXPECT_EQ(candidates_behind("plate-compliance", {"internal-mode"}, 3.0), (Members{0, 1}));
+}
+
+TEST(NearlyAdequateTest, OneThatDoesNotLeadIsNone) {
+  EXPECT_EQ(candidates_behind("plate-compliance", {"internal-mode"}, -1.0), (Members{1}));
+}
+
+TEST(NearlyAdequateTest, NeitherIsOneBesideASet) {
+  EXPECT_EQ(candidates_behind("plate-compliance", {"internal-mode", "adhesion"}, 3.0),
+            (Members{1}));
 }
 
 /// Fits of these criteria: one that leaves something, and one that is adequate.

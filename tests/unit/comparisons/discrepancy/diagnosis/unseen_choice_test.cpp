@@ -16,6 +16,7 @@ AssessedFit predicting(double chi_square, double unknowns, double unseen) {
   one.fit.chi_square = chi_square;
   one.fit.effect_unknowns = unknowns;
   one.fit.information_criterion = chi_square + 7.0 * unknowns;
+  one.fit.prediction_criterion = chi_square + 2.0 * unknowns;
   one.unseen_chi_square = unseen;
   one.judged = one.adequate = true;
   return one;

@@ -72,5 +72,35 @@ TEST(WithheldNameTest, ANameNeedsAGapThatClosesAtTheUnseenSpeed) {
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::missing);
 }
 
+/// A fault of the measurement that the unseen speed is as far from as before.
+Diagnosis fault_that_misses(const std::string& name) {
+  Diagnosis d = small_gap();
+  d.verdict = DiagnosisVerdict::measurement_fault;
+  d.family = EffectFamily::measurement;
+  d.candidates = {{name}};
+  d.selection.indistinguishable = {0};
+  d.fault = name;
+  d.gap.held_out_before = 3.0;
+  d.gap.held_out_after = 2.5;
+  return d;
+}
+
+TEST(WithheldNameTest, AFaultOfAllShotsWouldBeThereAtTheUnseenSpeed) {
+  Diagnosis d = fault_that_misses("clipping");
+  withhold_what_the_unseen_speed_denies(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  EXPECT_TRUE(d.fault.empty());
+}
+
+TEST(WithheldNameTest, OneThatThatSpeedMeetsStays) {
+  Diagnosis d = fault_that_misses("clipping");
+  d.gap.held_out_after = 1.05;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::measurement_fault);
+}
+
+TEST(WithheldNameTest, AFaultOfOneShotIsNotAtTheUnseenSpeed) {
+  EXPECT_EQ(verdict_of(fault_that_misses("odd-shot")), DiagnosisVerdict::measurement_fault);
+}
+
 }  // namespace
 }  // namespace rebound
