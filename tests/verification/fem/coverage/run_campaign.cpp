@@ -58,7 +58,7 @@ class CoverageCampaign {
     for (const CoverageRow& row : rows_) in_table_.insert(name_of(row));
   }
 
-  /// The table is written with every family that it lacked, the cheap ones first.
+  /// The table is written with every family that it lacked, the cheapest points first.
   void run(const std::vector<PlannedFamily>& planned) {
     std::vector<const PlannedFamily*> missing;
     {
@@ -68,9 +68,12 @@ class CoverageCampaign {
         if (!in_table_.contains(name_of(family.row))) missing.push_back(&family);
       }
     }
+    std::map<int, double> cost_of_point;
+    for (const PlannedFamily* family : missing)
+      cost_of_point[family->row.number] += relative_cost(*family);
     std::stable_sort(missing.begin(), missing.end(),
-                     [](const PlannedFamily* a, const PlannedFamily* b) {
-                       return relative_cost(*a) < relative_cost(*b);
+                     [&](const PlannedFamily* a, const PlannedFamily* b) {
+                       return cost_of_point[a->row.number] < cost_of_point[b->row.number];
                      });
     in_parallel(missing.size(), [&](std::size_t i) {
       const MemberResult result = found_or_run(*missing[i], missing.size());
