@@ -201,6 +201,16 @@ test("a table is copied as comma-separated values", () => withPage(demo, 1280, a
   assert.match(lines[2], /^"Kelvin–Voigt, ζ = 0\.1",/);
 }));
 
+test("a negative number has a minus in its table and a hyphen in its copy", () => withPage(demo, 1280, async ({ page }) => {
+  const title = "Checks that were not fitted";
+  assert.equal(await page.textContent(`table[aria-label="${title}"] tbody tr:last-child td:nth-child(3)`), "−1.2e−07");
+  await page.evaluate(() => {
+    Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => { window.copied = text; } } });
+  });
+  await page.click(`button[aria-label="Copy as CSV: ${title}"]`);
+  assert.match((await page.evaluate(() => window.copied)).trimEnd().split("\n").at(-1), /,-1\.2e-07,/);
+}));
+
 test("the page is dark where the reader's screen is, and light on paper", () => withPage(demo, 1280, async ({ page, complaints }) => {
   const look = () => page.evaluate(() => {
     const light = (colour) => Math.min(...colour.match(/\d+/g).slice(0, 3).map(Number));

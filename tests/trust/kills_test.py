@@ -67,20 +67,22 @@ def main():
         bench = Bench(program, study, pathlib.Path(folder))
         prepare(bench, trial_generator)
         killer = Killer(bench, rng)
-        while killed < kills and rounds < 20 * kills:
-            writer, out = writers[rounds % len(writers)], bench.folder / f"out-{rounds}"
-            killed += killer.killed(writer, out, rounds // len(writers) % 2 == 0)
-            torn = torn_files(out) if out.exists() else []
-            if torn:
-                failures.append(f"{name_of(writer)}: torn: {torn}")
-            # It goes on, or begins anew, over what was left; `init` does not write over files.
-            if writer[0] != "init" and (few or rounds % 10 == 0):
-                killer.whole_run(writer, out)
-            for place in bench.folder.glob("out-*"):
-                shutil.rmtree(place, ignore_errors=True)
-            rounds += 1
-    for said in failures:
-        print(said)
+        try:
+            while killed < kills and rounds < 20 * kills:
+                writer, out = writers[rounds % len(writers)], bench.folder / f"out-{rounds}"
+                killed += killer.killed(writer, out, rounds // len(writers) % 2 == 0)
+                torn = torn_files(out) if out.exists() else []
+                if torn:
+                    failures.append(f"{name_of(writer)}: torn: {torn}")
+                    print(failures[-1], flush=True)
+                # It goes on, or begins anew, over what was left; `init` does not write over files.
+                if writer[0] != "init" and (few or rounds % 10 == 0):
+                    killer.whole_run(writer, out)
+                for place in bench.folder.glob("out-*"):
+                    shutil.rmtree(place, ignore_errors=True)
+                rounds += 1
+        except KeyboardInterrupt:
+            print(f"stopped in round {rounds}")
     print(f"{killed} kills in {len(writers)} commands, {len(failures)} left a torn file")
     return 1 if failures or killed < kills else 0
 

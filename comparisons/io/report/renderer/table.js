@@ -57,12 +57,18 @@ function tableHeading(column, sort) {
   return heading;
 }
 
+/** A number with a minus as long as a plus is wide; its copy keeps the hyphen that programs read. */
+function withMinus(text) {
+  return text.replace(/(^|[\s([e])-(?=[\d.])/gi, "$1−");
+}
+
 function tableCell(cell, column, position) {
+  const text = column.number ? withMinus(cell.text) : cell.text;
   const tag = position === 0 && !column.number ? "th" : "td";
   const node = element(tag, {
     scope: tag === "th" ? "row" : null,
     class: [column.number ? "number" : "", cell.verdict === "none" ? "" : `verdict-${cell.verdict}`].join(" ").trim() || null,
-  }, cell.link ? element("a", { href: cell.link }, cell.text) : cell.text);
+  }, cell.link ? element("a", { href: cell.link }, text) : text);
   if (cell.verdict !== "none") {
     node.append(" ", element("span", { "aria-hidden": "true", class: "sign" }, verdictSign[cell.verdict]),
       element("span", { class: "spoken" }, verdictWord[cell.verdict]));

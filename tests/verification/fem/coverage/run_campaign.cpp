@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -151,19 +152,34 @@ class CoverageCampaign {
 };
 
 /// Ctrl-C and SIGTERM come to one thread that waits for them; all others, begun later, have them
-/// blocked.
-void stop_when_asked(CoverageCampaign& campaign) {
-  sigset_t asked;
-  sigemptyset(&asked);
-  sigaddset(&asked, SIGINT);
-  sigaddset(&asked, SIGTERM);
-  ::pthread_sigmask(SIG_BLOCK, &asked, nullptr);
-  std::thread([asked, &campaign] {
-    int signal = 0;
-    ::sigwait(&asked, &signal);
-    campaign.stop();
-  }).detach();
-}
+/// blocked. It ends before the campaign does: a signal after the last family meets no object that
+/// is gone, and nothing else either.
+class StopWhenAsked {
+ public:
+  explicit StopWhenAsked(CoverageCampaign& campaign) {
+    sigset_t asked;
+    sigemptyset(&asked);
+    sigaddset(&asked, SIGINT);
+    sigaddset(&asked, SIGTERM);
+    ::pthread_sigmask(SIG_BLOCK, &asked, nullptr);
+    waiting_ = std::thread([this, asked, &campaign] {
+      int signal = 0;
+      ::sigwait(&asked, &signal);
+      if (!done_) campaign.stop();
+    });
+  }
+  StopWhenAsked(const StopWhenAsked&) = delete;
+  StopWhenAsked& operator=(const StopWhenAsked&) = delete;
+  ~StopWhenAsked() {
+    done_ = true;
+    ::pthread_kill(waiting_.native_handle(), SIGTERM);
+    waiting_.join();
+  }
+
+ private:
+  std::atomic<bool> done_{false};
+  std::thread waiting_;
+};
 
 }  // namespace
 }  // namespace rebound
@@ -179,7 +195,7 @@ int main(int count, char** arguments) try {
   const std::filesystem::path folder = std::filesystem::path(arguments[1]).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   rebound::CoverageCampaign campaign(arguments[1], arguments[2]);
-  rebound::stop_when_asked(campaign);
+  const rebound::StopWhenAsked stop_when_asked(campaign);
   campaign.run(to_try ? rebound::families_to_try() : rebound::planned_families());
   return 0;
 } catch (const rebound::Error& error) {

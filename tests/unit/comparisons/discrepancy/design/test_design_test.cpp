@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/discrepancy/design/planned_data.hpp"
 #include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
@@ -60,6 +61,27 @@ TEST(TestDesignTest, WhatIsAbsorbedIsToldApartFromNothing) {
     if (one.told_apart) {
       EXPECT_GE(*one.told_apart, *one.found) << one.name;
     }
+}
+
+// Beside a rival at a cosine c, what is left of χ² is 1 − c²: the size that is told apart goes with
+// its root where the effect is linear.
+TEST(TestDesignTest, ARivalCostsWhatTheCosineLeaves) {
+  const TestDesign design = design_test(testing::experiment_with({}, 5), 1);
+  const SelectionRules rules;
+  constexpr double surplus = 1.2815515655446004;
+  const double found = std::pow(std::sqrt(design.gap_threshold) + surplus, 2);
+  const double apart = std::pow(surplus + std::sqrt(surplus * surplus + rules.close_criterion), 2);
+  int compared = 0;
+  for (const FindableEffect& one : design.effects) {
+    if (!one.told_apart || one.cosine > 0.95) continue;
+    const double rise = apart / (1.0 - one.cosine * one.cosine);
+    if (rise < 1.2 * found) continue;
+    EXPECT_NEAR(*one.told_apart / *one.found, std::sqrt(rise / found),
+                0.2 * std::sqrt(rise / found))
+        << one.name << " " << one.cosine;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
 }
 
 TEST(TestDesignTest, HalfTheNoiseHalvesWhatOnlyNoiseHides) {

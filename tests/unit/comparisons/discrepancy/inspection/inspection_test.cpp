@@ -78,6 +78,28 @@ TEST(InspectionTest, NumbersOfAHalfSineAreItsClosedForms) {
   EXPECT_TRUE(shot.too_coarse.empty());
 }
 
+// 1 + e is the impulse over m v: an error of the gain is one of it, in proportion.
+TEST(InspectionTest, TheErrorOfTheGainIsInTheRestitution) {
+  const auto variance_with = [](double gain) {
+    Dataset dataset = dataset_of({{}});
+    dataset.instrument.force_gain_uncertainty = gain;
+    const Inspection found = inspect(dataset);
+    return std::pow(*number(found.shots.front(), "restitution_from_impulse").uncertainty, 2);
+  };
+  EXPECT_NEAR(std::sqrt(variance_with(0.05) - variance_with(1e-6)) / (1.55 * 0.05), 1.0, 0.02);
+}
+
+// The highest of noisy samples lies beside the peak; the parabola through the top does not.
+TEST(InspectionTest, NoiseDoesNotMoveAPeakThatNoFilterLowers) {
+  double sum = 0.0;
+  constexpr int seeds = 20;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Inspection found = inspect(dataset_of({{.contact = 8e-3, .noise = 20.0, .seed = seed}}));
+    sum += found.shots.front().filters.back().change / seeds;
+  }
+  EXPECT_NEAR(sum, 0.0, 0.003);
+}
+
 TEST(InspectionTest, TheColourOfTheNoiseIsSeen) {
   const Inspection found = inspect(dataset_of({{.colour = 0.7}, {.colour = 0.7, .seed = 2}}));
   ASSERT_FALSE(found.noise.autocorrelation.empty());

@@ -103,6 +103,39 @@ TEST(AtlasTest, DiagonalIsTheBenchmark) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * static_cast<long>(laws.size()) * 9);
 }
 
+// A law calibrated at one speed and used at another: what it returns there, by itself.
+TEST(AtlasTest, ErrorsAreThoseOfTheLawCalibratedElsewhere) {
+  testing::TemporaryFolder folder;
+  std::atomic<int> runs = 0;
+  const Atlas atlas =
+      make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
+  const AtlasEntry& entry = atlas.entries[0];
+  const auto& laws = atlas_laws();
+  const auto law = static_cast<std::size_t>(
+      std::find_if(laws.begin(), laws.end(),
+                   [](const AtlasLaw& one) { return one.label == "Hunt-Crossley"; }) -
+      laws.begin());
+  const MeasuredImpact &at = entry.impacts[0].shot, &used = entry.impacts[2].shot;
+  const LumpedModel model = calibrate(laws[law].request, {at}).model;
+  const ImpactScalars returned = simulate_fast({used.sphere, used.impact, model, {}}).scalars;
+  const AtlasCell& cell = entry.cells[law][0][2];
+  EXPECT_GT(std::abs(cell.restitution), 1e-3);
+  EXPECT_NEAR(cell.restitution, returned.restitution - used.scalars.restitution, 1e-6);
+  EXPECT_NEAR(cell.peak_force, returned.peak_force / used.scalars.peak_force - 1.0, 1e-6);
+}
+
+TEST(AtlasTest, TheLawThatIsAdvisedHasTheLeastError) {
+  testing::TemporaryFolder folder;
+  std::atomic<int> runs = 0;
+  const Atlas atlas =
+      make_atlas(small, StandIn{runs}, ImpactStore(folder.path() / "impacts.sqlite"));
+  for (const AtlasEntry& entry : atlas.entries) {
+    const AtlasAdvice advice = advice_of(entry, 0, 2);
+    for (const auto& cells : entry.cells)
+      if (cells[0][2].failure.empty()) EXPECT_GE(cells[0][2].force_rms, advice.force_rms);
+  }
+}
+
 TEST(AtlasTest, GoesOnWhereItWas) {
   testing::TemporaryFolder folder;
   const ImpactStore store(folder.path() / "impacts.sqlite");

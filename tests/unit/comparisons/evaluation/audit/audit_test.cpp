@@ -71,6 +71,59 @@ TEST(AuditTest, AViscoelasticSphereDoesNotDampAsHuntCrossley) {
   EXPECT_NE(row(audit, "damping-power").verdict, AuditVerdict::holds);
 }
 
+// Each speed has its own spring, the fastest 1.5/1.1 times as stiff as the slowest.
+TEST(AuditTest, AStiffnessThatGrowsWithSpeedIsFoundByItsRatio) {
+  const FemRunner grows = [](const FemProblem& problem) {
+    LumpedModel model = law("hunt-crossley");
+    const double factor = 1.0 + 0.02 * problem.impact.speed;
+    for (const char* name : {"stiffness", "damping"}) model.parameters[name] *= factor;
+    return world_of(model)(problem);
+  };
+  const AuditRow stiffness = row(run_audit(request(), grows), "one-stiffness");
+  EXPECT_NEAR(stiffness.found, 1.5 / 1.1, 1e-3);
+  EXPECT_NE(stiffness.verdict, AuditVerdict::holds);
+}
+
+// What a dashpot gives at first touch, c v over the peak, is said of the fastest impact.
+TEST(AuditTest, TheForceAtFirstTouchIsThatOfTheFastestImpact) {
+  const AuditRequest all = request();
+  const Audit audit = run_audit(all, world_of(law("hunt-crossley")));
+  std::vector<MeasuredImpact> shots;
+  for (const double speed : all.speeds) {
+    const auto run = simulate_fast(
+        {all.problem.sphere, {.speed = speed}, law("hunt-crossley"), {.samples = 201}});
+    shots.push_back({.sphere = all.problem.sphere,
+                     .impact = {.speed = speed},
+                     .trace = run.trace,
+                     .scalars = run.scalars});
+  }
+  LawCalibrationOptions by_peak;
+  by_peak.weighting = Weighting::of_peak;
+  const LumpedModel dashpot = calibrate({.law = "linear-kelvin-voigt"}, shots, by_peak).model;
+  EXPECT_NEAR(row(audit, "force-ends").found /
+                  (dashpot.parameters.at("damping") * 25.0 / shots.back().scalars.peak_force),
+              1.0, 1e-3);
+}
+
+// A world that is a slowly squeezed sphere: nothing is left between the two.
+TEST(AuditTest, ASlowlySqueezedSphereIsQuasiStatic) {
+  const AuditRequest all = request();
+  const Material& material = all.problem.material;
+  const double nu = material.poisson_ratio;
+  const LumpedModel slow{
+      .law = "finite-sphere-hertz",
+      .parameters = {{"stiffness", 4.0 / 3.0 * material.youngs_modulus / (1.0 - nu * nu) *
+                                       std::sqrt(all.problem.sphere.radius())},
+                     {"dissipation_time", 0.0},
+                     {"poisson_ratio", nu}}};
+  const AuditRow found = row(run_audit(all, world_of(slow)), "quasi-static");
+  ASSERT_EQ(found.errors.size(), all.speeds.size());
+  for (const AuditError& error : found.errors) {
+    EXPECT_NEAR(*error.contact_time, 0.0, 1e-6);
+    EXPECT_NEAR(*error.peak_force, 0.0, 1e-4);
+  }
+}
+
 TEST(AuditTest, BodyAndPlateRowsComeFromFe) {
   const Audit audit = run_audit(request(), world_of(law("hunt-crossley")));
   EXPECT_NEAR(row(audit, "centre-of-mass").found, 1.3, 1e-9);

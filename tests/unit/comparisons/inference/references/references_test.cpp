@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "comparisons/inference/references/contact_alone.hpp"
+#include "comparisons/inference/references/measured_impacts.hpp"
 #include "comparisons/inference/references/read_references.hpp"
 #include "comparisons/io/dataset/dataset.hpp"
 #include "comparisons/io/results/result_folder.hpp"
@@ -134,6 +135,25 @@ TEST(ReadReferencesTest, ReadsTheTracesOfADataSet) {
   EXPECT_NEAR(references[0].scalars.restitution, run.scalars.restitution, 1e-4);
   EXPECT_NEAR(references[0].scalars.peak_force, run.scalars.peak_force, 1e-3);
   EXPECT_FALSE(references[0].restitution.value.has_value());
+}
+
+TEST(MeasuredScalarsTest, WhatIsAssumedIsAShareOfAContactTimeAndIsSaid) {
+  const testing::TemporaryFolder temporary;
+  temporary.write(
+      "dataset.toml",
+      "schema = 1\nname = \"bench\"\n[sphere]\nmass = \"89.6 g\"\ndiameter = \"66.2 mm\"\n"
+      "[[shot]]\nspeed = \"15 m/s\"\nrestitution = 0.6\ncontact_time = \"1.4 ms\"\n"
+      "[[shot]]\nspeed = \"5 m/s\"\nrestitution = 0.7\nrestitution_uncertainty = 0.02\n"
+      "contact_time = \"1.7 ms\"\ncontact_time_uncertainty = \"0.1 ms\"\n");
+  const auto impacts =
+      measured_scalars(temporary.path(), {.restitution = 0.03, .contact_time = 0.05});
+  ASSERT_EQ(impacts.size(), 2u);
+  EXPECT_NEAR(*impacts[0].contact_time.uncertainty, 0.05 * 1.4e-3, 1e-12);
+  EXPECT_EQ(*impacts[0].restitution.uncertainty, 0.03);
+  EXPECT_EQ(impacts[0].assumed.size(), 2u);
+  EXPECT_NEAR(*impacts[1].contact_time.uncertainty, 1e-4, 1e-12);
+  EXPECT_EQ(*impacts[1].restitution.uncertainty, 0.02);
+  EXPECT_TRUE(impacts[1].assumed.empty());
 }
 
 TEST(ReadReferencesTest, NamesWhatIsWrong) {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "comparisons/inference/references/law_score.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/support/gaussian_noise.hpp"
@@ -54,6 +56,54 @@ TEST(SelectionTest, FindsTheLawThatMadeTheData) {
     EXPECT_GT(s.effective_data, 150.0);
     EXPECT_LT(s.effective_data, 304.0);
   }
+}
+
+// Neighbours of noise of the first order tell (1 − ρ)/(1 + ρ) of what independent samples do.
+TEST(SelectionTest, SamplesThatAreAlikeCountForFewer) {
+  constexpr double correlation = 0.8;
+  std::vector<MeasuredImpact> references = references_of({.law = "hunt-crossley", .noise = 0.0});
+  test::GaussianNoise draw(7);
+  for (MeasuredImpact& reference : references) {
+    double noise = draw();
+    for (double& force : reference.trace.force) {
+      force += 5.0 * noise;
+      noise = correlation * noise + std::sqrt(1.0 - correlation * correlation) * draw();
+    }
+    reference.noise.deviation = 5.0;
+  }
+  const Selection s = select_law(candidates, references);
+  EXPECT_GT(s.effective_data, 15.0);
+  EXPECT_LT(s.effective_data, 75.0);  // of 303, of which a ninth is 34
+}
+
+// BIC of Schwarz 1978: each number costs ln n, and one that is not needed is not worth it.
+TEST(SelectionTest, ANumberThatIsNotNeededCosts) {
+  const std::vector<Candidate> nested = {
+      {"Hunt-Crossley", {.law = "hunt-crossley"}},
+      {"its exponent free", {.law = "hunt-crossley", .free = {"exponent"}}}};
+  const Selection s = select_law(nested, references_of({.law = "hunt-crossley", .noise = 5.0}));
+  const CandidateScore &plain = s.candidates[0], &free = s.candidates[1];
+  EXPECT_EQ(free.parameters, plain.parameters + 1);
+  EXPECT_NEAR(free.bic - free.misfit - (plain.bic - plain.misfit), std::log(s.effective_data),
+              1e-9);
+  EXPECT_LT(plain.bic, free.bic);
+}
+
+// The ball of the fastest shot is another: a fit that had seen it would be half way there.
+TEST(SelectionTest, ASpeedThatIsLeftOutIsNotInTheFit) {
+  std::vector<MeasuredImpact> references = references_of({.law = "hunt-crossley", .noise = 0.0});
+  MeasuredImpact& fastest = references.back();
+  const LumpedModel others{.law = "hunt-crossley",
+                           .parameters = test::typical_parameters("hunt-crossley")};
+  LumpedModel stiffer = others;
+  for (const char* name : {"stiffness", "damping"}) stiffer.parameters[name] *= 1.3;
+  const auto run = simulate({fastest.sphere, fastest.impact, stiffer, {.samples = 101}});
+  fastest.trace = run.trace;
+  fastest.scalars = run.scalars;
+  const Selection s = select_law(candidates, references);
+  const LeftOut& left_out = s.candidates[1].left_out.back();
+  ASSERT_EQ(left_out.speed, 25.0);
+  EXPECT_NEAR(left_out.force_rms / score_law(others, fastest).force_time_rms, 1.0, 1e-3);
 }
 
 // Two names of one force: nothing can tell them apart, and the answer says so.

@@ -90,6 +90,11 @@ TEST_F(ArrayTableTest, StructuresGroupsTypesAndRowsAreRead) {
   const std::vector<WrittenArray> counts{
       {.name = "time_s", .values = {1, 2, 3}, .columns = 3, .type = ElementType::whole},
       {.name = "force_N", .values = {0.5, 2, 7}, .type = ElementType::single_precision}};
+  const std::vector<WrittenArray> signed_counts{
+      {"time_s", {1, 2, 3}},
+      {.name = "force_N", .values = {-3, 0, 300}, .type = ElementType::whole}};
+  EXPECT_THAT(matlab(signed_counts).columns[1].numbers, ElementsAre(-3, 0, 300));
+  EXPECT_THAT(hdf5(signed_counts).columns[1].numbers, ElementsAre(-3, 0, 300));
   EXPECT_THAT(matlab(counts).columns[0].numbers, ElementsAre(1, 2, 3));
   EXPECT_THAT(matlab(counts, MatlabVersion::seven_three).columns[1].numbers,
               ElementsAre(0.5, 2, 7));

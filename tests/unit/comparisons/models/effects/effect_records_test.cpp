@@ -78,6 +78,29 @@ TEST(EffectRecordsTest, SeveralNumbersOfTheLumpedProblem) {
         })}});
 }
 
+// The damper's curve runs over √(x/R); damping follows an elastic curve in the share that is asked.
+TEST(EffectRecordsTest, CurvesReachWhereTheirCardsSay) {
+  LumpedProblem damped = test::problem_for_effects();
+  apply_effects({{"damping-curves",
+                  0.2,
+                  {{"deflection_reach", 0.09}, {"deflection_3", 0.4}, {"rate_reach", 12.0}}}},
+                damped);
+  const DampingFactors& damping = damped.model.mechanisms.damping;
+  EXPECT_DOUBLE_EQ(damping.added.end, 0.3);
+  EXPECT_EQ(damping.added.value[3], 0.4);
+  EXPECT_EQ(damping.rate_curve.end, 12.0);
+  EXPECT_EQ(damping.rate_curve.value[2], 0.2);
+
+  LumpedProblem elastic = test::problem_for_effects();
+  apply_effects({{"elastic-curve", 0.4, {{"reach", 0.2}, {"at_1", 0.2}, {"damping_share", 0.25}}}},
+                elastic);
+  const Mechanisms& mechanisms = elastic.model.mechanisms;
+  EXPECT_EQ(mechanisms.elastic.curve.value.back(), 0.4);
+  EXPECT_EQ(mechanisms.elastic.curve.end, 0.2);
+  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic_curve.value.back(), 0.1);
+  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic_curve.value[1], 0.05);
+}
+
 TEST(EffectRecordsTest, OfTheFeProblem) {
   expect_written<FemProblem>(
       test::fem_problem_for_effects(),

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "comparisons/discrepancy/diagnosis/observations/settle_noise.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
@@ -23,6 +24,20 @@ TEST(ObserveTest, NoiseIsTakenFromBeforeContactWhereNoneIsStated) {
   ASSERT_TRUE(seen.shots[0].has_history());
   EXPECT_NEAR(seen.shots[0].noise.deviation, 20.0, 7.5);  // three standard errors of 30 samples
   EXPECT_NE(seen.noise_from.find("before contact"), std::string::npos);
+}
+
+// The mean of n samples: σ/√n, and √((1 + ρ)/(1 − ρ)) times that where neighbours are alike by ρ.
+TEST(ObserveTest, TheZeroIsTheMeanOfTheQuietAndKnownAsWellAsItsSamplesTell) {
+  PreparedRecord record;
+  record.contact.first = 100;
+  for (int i = 0; i < 150; ++i) record.trace.force.push_back(i < 100 ? 2.5 + i % 2 : 900.0);
+  ForceNoise white{.deviation = 10.0};
+  settle_zero(record, white);
+  EXPECT_NEAR(white.zero, 3.0, 1e-12);
+  EXPECT_NEAR(white.zero_error, 1.0, 1e-12);
+  ForceNoise coloured{.deviation = 10.0, .autocorrelation = {0.5}};
+  settle_zero(record, coloured);
+  EXPECT_NEAR(coloured.zero_error, std::sqrt(3.0), 0.02);
 }
 
 TEST(ObserveTest, WithoutAnyNoiseItSaysWhatIsMissing) {
