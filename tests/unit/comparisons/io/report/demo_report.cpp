@@ -248,8 +248,8 @@ Table checks_table() {
                  text_cell("within the bar", Verdict::good)},
                 {text_cell("mean deflection"), uncertain_cell(3.9, 0.2), number_cell(3.1, 3),
                  text_cell("20 % low", Verdict::bad)},
-                {text_cell("residual deflection"), uncertain_cell(0.4, 0.4), number_cell(-1.2e-7, 2),
-                 text_cell("the bar includes zero", Verdict::doubtful)}};
+                {text_cell("residual deflection"), uncertain_cell(0.4, 0.4),
+                 number_cell(-1.2e-7, 2), text_cell("the bar includes zero", Verdict::doubtful)}};
   return table;
 }
 
