@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "comparisons/discrepancy/diagnosis/verdict.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
@@ -177,6 +178,34 @@ TEST(BadRecordsTest, ABelievedModelThatCannotBeFittedNamesNothing) {
   } catch (const Error& error) {
     EXPECT_TRUE(error.code() == ExitCode::bad_input || error.code() == ExitCode::solver_failed);
   }
+}
+
+TEST(BadRecordsTest, WithoutAnyNoiseThereIsNotEnoughData) {
+  SynthesisFile file = experiment_with({{"hysteresis", 0.4, {}}}, 52);
+  file.sampling.before = 0.0;
+  Dataset dataset = synthesize(file, simulator_of(file, {})).dataset;
+  dataset.instrument.force_noise.reset();
+  for (MeasuredImpact& shot : dataset.shots) shot.restitution.uncertainty.reset();
+  const Diagnosis d = diagnosis_of(dataset);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::insufficient_data);
+  EXPECT_TRUE(d.effects.empty());
+  EXPECT_FALSE(d.needed.empty());
+}
+
+// The same data and fits, once as they came out and once with the size where the search ends.
+TEST(BadRecordsTest, AnEffectAtItsBoundCarriesNoName) {
+  Diagnosis d = testing::diagnose_hidden(experiment_with({{"hysteresis", 0.4, {}}}, 53));
+  ASSERT_EQ(d.verdict, DiagnosisVerdict::missing);
+  HypothesisFit& fit = d.selection.tried[d.selection.indistinguishable.front()].fit;
+  for (const std::size_t unknown : fit.model->unknowns_of_effect(0))
+    fit.search.estimates[unknown].identifiability = Identifiability::at_bound;
+  d.candidates.clear();
+  d.effects.clear();
+  d.curves.clear();
+  conclude(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::family);
+  EXPECT_TRUE(d.effects.empty());
+  EXPECT_NE(d.withheld.find("at a bound of the search"), std::string::npos) << d.withheld;
 }
 
 }  // namespace
