@@ -32,11 +32,29 @@ void count_effect(const TrialEffect& effect, const TrialAnswer& said, RateRow& r
   row.wrong_name.add(said.verdict == "missing" && said.named != effect.registry_name);
 }
 
+/// Averages over the effects of a row whose nearest rival is known.
+class MeanAtBest {
+ public:
+  void add(const TrialTruth& truth) {
+    if (!truth.nearest_family) return;
+    sum_ += chance_of_family_at_best(truth.visible_chi_square, *truth.nearest_family);
+    ++count_;
+  }
+  std::optional<double> value() const {
+    return count_ == 0 ? std::nullopt : std::optional(sum_ / count_);
+  }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
 using BinOf = std::function<RateBin(const TrialRecord&)>;
 
 RateTable rates_by(const std::vector<TrialRecord>& records, RateTable table, double least_visible,
                    const BinOf& bin_of) {
   std::map<RateBin, RateRow> rows;
+  std::map<RateBin, MeanAtBest> at_best;
   for (const TrialRecord& record : records) {
     const TrialTruth& truth = record.truth;
     const bool effect = is_single_effect(truth) && truth.visible_chi_square >= least_visible;
@@ -47,12 +65,17 @@ RateTable rates_by(const std::vector<TrialRecord>& records, RateTable table, dou
     row.label = bin.label;
     row.low = bin.low;
     row.high = bin.high;
-    if (effect)
+    if (effect) {
       count_effect(truth.effects.front(), record.outcome.said, row);
-    else
+      at_best[bin].add(truth);
+    } else {
       row.false_alarm.add(says_gap(record.outcome.said));
+    }
   }
-  for (auto& [bin, row] : rows) table.rows.push_back(std::move(row));
+  for (auto& [bin, row] : rows) {
+    row.family_at_best = at_best[bin].value();
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 
@@ -75,6 +98,13 @@ RateBin bin_of_number(double value, const std::string& label) {
 }
 
 }  // namespace
+
+double chance_of_family_at_best(double visible_chi_square, double cosine) {
+  constexpr double ahead = 6.0;  // in χ²
+  const double square = visible_chi_square * (1.0 - cosine * cosine);
+  if (!(square > 0.0)) return 0.0;
+  return 0.5 * std::erfc((ahead - square) / (2.0 * std::sqrt(2.0 * square)));
+}
 
 std::vector<RateTable> rates_of(const std::vector<TrialRecord>& records) {
   const double visible = smallest_visible_chi_square;

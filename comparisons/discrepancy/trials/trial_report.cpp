@@ -84,18 +84,23 @@ report::Table rate_table(const RateTable& rates) {
   const bool has_nulls = std::any_of(rates.rows.begin(), rates.rows.end(),
                                      [](const RateRow& row) { return row.false_alarm.of > 0; });
   report::Table table{.title = "By " + rates.what,
-                      .caption = "Single effects of a family, with 95 % Wilson intervals.",
+                      .caption =
+                          "Single effects of a family, with 95 % Wilson intervals. At best: "
+                          "the chance to tell the family for a choice between the hidden "
+                          "form and the most similar one of another family, both known.",
                       .columns = {{has_unit ? rates.what + " / " + rates.unit : rates.what},
                                   {"gap said"},
                                   {"family right"},
+                                  {"at best"},
                                   {"name right or in the set"},
                                   {"wrong name"}},
                       .rows = {}};
   if (has_nulls) table.columns.push_back({"false alarms on nulls"});
   for (const RateRow& row : rates.rows) {
-    table.rows.push_back({text_cell(row.label), interval_cell(row.detected),
-                          interval_cell(row.family_right), interval_cell(row.name_right),
-                          interval_cell(row.wrong_name)});
+    table.rows.push_back(
+        {text_cell(row.label), interval_cell(row.detected), interval_cell(row.family_right),
+         text_cell(row.family_at_best ? fmt::format("{:.0f} %", 100.0 * *row.family_at_best) : "-"),
+         interval_cell(row.name_right), interval_cell(row.wrong_name)});
     if (has_nulls) table.rows.back().push_back(interval_cell(row.false_alarm));
   }
   return table;

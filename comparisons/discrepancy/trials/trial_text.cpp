@@ -44,6 +44,7 @@ Json rates_json(const std::vector<RateTable>& tables) {
       one["effects"] = row.trials;
       one["detected"] = share_json(row.detected);
       one["family_right"] = share_json(row.family_right);
+      one["family_at_best"] = row.family_at_best ? Json(*row.family_at_best) : Json(nullptr);
       one["name_right"] = share_json(row.name_right);
       one["wrong_name"] = share_json(row.wrong_name);
       one["false_alarm"] = share_json(row.false_alarm);
@@ -91,14 +92,19 @@ std::string confusion_lines(const std::string& heading, const ConfusionMatrix& c
   return text;
 }
 
+std::string percent_text(const std::optional<double>& share) {
+  return share ? fmt::format("{:.0f} %", 100.0 * *share) : "-";
+}
+
 std::string rate_lines(const RateTable& table) {
-  std::string text = fmt::format("\n  {:<22}{:<16}{:<16}{:<16}{:<16}{}\n", "", "gap said",
-                                 "family right", "name or set", "wrong name", "false alarms");
+  std::string text =
+      fmt::format("\n  {:<22}{:<16}{:<16}{:<10}{:<16}{:<16}{}\n", "", "gap said", "family right",
+                  "at best", "name or set", "wrong name", "false alarms");
   for (const RateRow& row : table.rows)
-    text +=
-        fmt::format("  {:<22}{:<16}{:<16}{:<16}{:<16}{}\n", row.label, short_share(row.detected),
-                    short_share(row.family_right), short_share(row.name_right),
-                    short_share(row.wrong_name), short_share(row.false_alarm));
+    text += fmt::format("  {:<22}{:<16}{:<16}{:<10}{:<16}{:<16}{}\n", row.label,
+                        short_share(row.detected), short_share(row.family_right),
+                        percent_text(row.family_at_best), short_share(row.name_right),
+                        short_share(row.wrong_name), short_share(row.false_alarm));
   return fmt::format("\nby {}{}", table.what,
                      table.unit.empty() || table.unit == "1" ? "" : " in " + table.unit) +
          text;

@@ -155,6 +155,21 @@ TEST(TrialScoreTest, PowerIsCountedByTheSizeOfTheEffect) {
   EXPECT_EQ(noise.rows[0].false_alarm.of, 1);
 }
 
+TEST(TrialScoreTest, AtBestARivalDecides) {
+  EXPECT_EQ(chance_of_family_at_best(1e4, 1.0), 0.0);
+  EXPECT_NEAR(chance_of_family_at_best(6.0, 0.0), 0.5, 1e-12);
+  EXPECT_NEAR(chance_of_family_at_best(25.0, 0.0), 0.97128, 1e-5);  // Φ(1.9)
+  EXPECT_NEAR(chance_of_family_at_best(100.0, std::sqrt(0.75)), 0.97128, 1e-5);
+}
+
+TEST(TrialScoreTest, TheBestIsAnAverageOverEffectsWithAKnownRival) {
+  TrialTruth known = hidden(1, "memory", "relaxation", 30.0);
+  known.nearest_family = std::sqrt(1.0 - 6.0 / 30.0);
+  const TrialScores scores = score_trials(trials_of(
+      {said(1, "agrees"), said(2, "agrees")}, {known, hidden(2, "memory", "relaxation", 31.0)}));
+  EXPECT_NEAR(scores.rates.front().rows.front().family_at_best.value(), 0.5, 1e-9);
+}
+
 TEST(TrialScoreTest, APageAndATextAreMadeOfAnyScores) {
   const TrialScores nulls = score_trials(trials_of({said(1, "agrees")}, {nothing_hidden(1)}));
   const TrialScores effects = score_trials(
