@@ -115,6 +115,8 @@ Coverage coverage_of(const std::vector<JudgedBar>& judged) {
       static_cast<double>(std::count_if(judged.begin(), judged.end(),
                                         [](const JudgedBar& one) { return one.covers(); })) /
       static_cast<double>(judged.size());
+  coverage.undecided = static_cast<int>(std::count_if(
+      judged.begin(), judged.end(), [](const JudgedBar& one) { return !one.decided(); }));
   const auto half = ratios.begin() + static_cast<long>(ratios.size() / 2);
   std::nth_element(ratios.begin(), half, ratios.end());
   coverage.median_ratio = *half;

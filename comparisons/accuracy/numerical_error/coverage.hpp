@@ -45,6 +45,8 @@ struct JudgedBar {
   double truth = 0.0, truth_error = 0.0;
   double error = 0.0, bar = 0.0;
   bool covers() const { return error <= bar; }
+  /// Whether the truth is known to the bar; where not, a better truth might judge otherwise.
+  bool decided() const { return truth_error <= bar; }
 };
 
 /// What fine families make of the truth.
@@ -71,6 +73,7 @@ struct Coverage {
   int bars = 0;
   double share = 0.0;         ///< that cover [-]
   double median_ratio = 0.0;  ///< of bar over error [-]
+  int undecided = 0;          ///< bars narrower than the error of their truth; counted as they are
 };
 Coverage coverage_of(const std::vector<JudgedBar>& judged);
 
