@@ -17,8 +17,8 @@ struct PlannedFamily {
 /// incompressible balls, and their families.
 std::vector<PlannedFamily> planned_families();
 
-/// What a family takes, in no unit. Points are run one by one, the cheapest first: without its truth
-/// no bar of a point is judged.
+/// What a family takes, in no unit. Points are run one by one, the cheapest first: without its
+/// truth no bar of a point is judged.
 double relative_cost(const PlannedFamily& family);
 
 /// Three families of few cells of one ball: seconds, to see the campaign at work.
