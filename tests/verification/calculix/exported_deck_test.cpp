@@ -93,10 +93,12 @@ void expect_agreement(FemProblem problem, double force_tolerance) {
   const testing::TemporaryFolder folder;
   const ExportedDeck deck = export_deck(export_target("calculix"), problem, mesh_for(problem));
   const ForceHistory found = run_calculix(deck.text, folder.path());
-  ASSERT_NEAR(found.time.back(), problem.controls.end_time, 1e-9);
+  if (problem.controls.end_time > 0.0)
+    ASSERT_NEAR(found.time.back(), problem.controls.end_time, 1e-9);
   problem.cells = coarsest_cells;
   problem.controls.end_time = 0.0;
   const FemResult own = run_reference(fem_tier(), problem, mesh_for(problem), {}).result;
+  ASSERT_GT(found.time.back(), own.scalars.contact_time) << "CalculiX stopped before";
   const double mass = problem.sphere.mass, speed = problem.impact.speed;
   const double restitution = found.impulse(found.time.back()) / (mass * speed) - 1.0;
   const double deflection = found.peak_deflection(mass, speed);
@@ -122,6 +124,15 @@ TEST(ExportedDeckTest, CalculixAgrees) {
 /// and 1.6 % (600) of what its fine meshes of bilinear cells agree on.
 TEST(ExportedDeckTest, CalculixAgreesOnASoftFastBall) {
   expect_agreement(elastic_impact(2e6, 3.6e-3), 6e-3);
+}
+
+/// On 300 elements: with 600 CalculiX's fixed step diverges in the first contact, where springs of
+/// its penalty open and close from one iteration to the next.
+TEST(ExportedDeckTest, CalculixAgreesOnANearlyIncompressibleBall) {
+  FemProblem problem = elastic_impact(10e6, 0.0);
+  problem.material.poisson_ratio = 0.49;
+  problem.cells = 300;
+  expect_agreement(problem, 2e-3);
 }
 
 }  // namespace
