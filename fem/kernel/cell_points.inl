@@ -22,10 +22,7 @@ struct Corners {
   Real z[nodes_per_cell];
 };
 
-// Between nodes and lanes by moves of whole pairs (r, z): lane by lane the compiler goes through
-// the stack, which took a tenth of the kernel.
-
-/// Pairs of nodes[0], nodes[2], … side by side.
+/// Pairs (r, z) of nodes[0], nodes[2], … side by side: lane by lane they would go by the stack.
 template <int count>
 [[gnu::always_inline]] inline auto every_other_pair(const int* nodes, const double* field) {
   if constexpr (count == 1) {
