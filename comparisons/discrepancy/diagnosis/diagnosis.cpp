@@ -7,10 +7,11 @@
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
+#include "comparisons/discrepancy/diagnosis/effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
-#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/names_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"
@@ -54,49 +55,10 @@ HypothesisFit made_consistent(const Observations& seen, const HypothesisFit& bel
 }
 
 /// Shares of a diagnosis done when its parts end; measured on one that asks FE.
-constexpr double baseline_share = 0.05, lumped_share = 0.4, fem_fit_share = 0.7;
+constexpr double baseline_share = 0.05, lumped_share = 0.4;
 
 void report_progress(const RunControl& whole, double fraction) {
   if (whole.progress) whole.progress(fraction);
-}
-
-AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
-                            const DiagnosisRequest& request, const RunControl& control) {
-  return judge_believed(seen, fit_believed(seen, believed, control),
-                        absent_effects(believed.effects), request.rules, request.seed);
-}
-
-/// What stands once FE's own part is in the model and in the errors of the data;
-/// nothing where that explains no more.
-void search_with_model_discrepancy(Diagnosis& d, const DiagnosisRequest& request,
-                                   const Hypothesis& believed, const Observations& all,
-                                   const RunControl& whole) {
-  const RunControl control{.interrupted = whole.interrupted};
-  const auto gap = std::make_shared<const ModelDiscrepancy>(measure_model_discrepancy(
-      all, *d.seen, d.selection.baseline.fit, {.file = request.mesh_file}, control));
-  report_progress(whole, fem_fit_share);
-  const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
-  Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
-  baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
-  // Data that FE comes no nearer to than the lumped model alone are not those of such a body.
-  constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
-  if (fit_hypothesis(*d.seen, baseline, control).chi_square >
-      d.selection.baseline.fit.chi_square - plainly_nearer)
-    return;
-  EffectSelection selection =
-      select_effects(*seen, fit_hypothesis(*seen, baseline, control),
-                     absent_effects(baseline.effects), request.rules, request.seed, control);
-  if (!selection.explains()) return;
-  d.believed = assess_believed(*seen, believed_with_gap, request, control);
-  d.selection = std::move(selection);
-  d.model_discrepancy = gap;
-  d.seen = seen;
-  d.unseen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.unseen, *gap));
-  d.warnings.push_back(fmt::format(
-      "the data follow a body of finite size: what FE adds to the lumped model (waves, finite "
-      "strain) was taken into account, with {:.2g} % of the peak force as its numerical "
-      "uncertainty",
-      100.0 * gap->numerical_uncertainty));
 }
 
 void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
@@ -111,8 +73,9 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),
                                        [](const MeasuredImpact& s) { return s.has_history(); });
-  if (!d.selection.explains() && request.ask_fem && has_fem_tier() && has_history)
-    search_with_model_discrepancy(d, request, believed, all, whole);
+  const bool agrees = d.selection.baseline.adequate && d.selection.indistinguishable.empty();
+  if (!agrees && request.ask_fem && has_fem_tier() && has_history)
+    search_beside_fem(d, request, believed, all, whole);
 }
 
 void predict_held_out(Diagnosis& d) {
@@ -197,6 +160,11 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
     withhold_what_repetition_denies(d, request.rules);
   }
+  if (d.fem_alone &&
+      (d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of))
+    ask_fem_of_names(d, all, request.rules, {.interrupted = control.interrupted});
+  if (d.verdict == DiagnosisVerdict::unexplained && d.fem_alone)
+    look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;

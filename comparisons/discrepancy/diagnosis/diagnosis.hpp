@@ -44,6 +44,14 @@ struct Gap {
   double held_out_noise = 0.0;  ///< its deviation at the unseen speed when nothing is missing
 };
 
+/// One effect in FE, where nothing lumped explains the data and FE comes near to them.
+struct EffectInFem {
+  EffectChoice effect;  ///< with fitted numbers, of the first ball
+  EffectFamily family = EffectFamily::none;
+  double information_criterion = 0.0;
+  Gap gap;  ///< of FE without the effect, and with it
+};
+
 struct DiagnosisRequest {
   std::vector<Dataset> datasets;
   LumpedModel believed;
@@ -78,6 +86,7 @@ struct Diagnosis {
   std::vector<FactorBand> curves;  ///< of a family that has no formula here
   /// Of that family: formulas that come nearest, with the share of the gap each explains.
   std::vector<ExplainedShare> nearest;
+  std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was not asked for effects
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
@@ -93,6 +102,8 @@ struct Diagnosis {
   SelectionBootstrap bootstrap;  ///< of the choice between its candidates, where there are some
   /// FE minus lumped, where the data were explained with it only.
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
+  /// The same wherever FE was asked, with the balls as FE alone would have them.
+  std::shared_ptr<const ModelDiscrepancy> fem_alone;
   std::optional<HeldOutGap> unseen_before, unseen_after;
   /// What the model that the search started from lacks, without a formula; absent where nothing
   /// is missing from it.
@@ -122,11 +133,14 @@ struct Diagnosis {
 ///     contradicts the model's own input: it is set right before anything is
 ///     added to the model
 ///   4 effects searched on what is left (select_effects)
-///   5 where that explains nothing: again with what FE adds to the believed
-///     model taken into account (measure_model_discrepancy)
+///   5 where there is a gap: again with what FE adds to the believed model taken into account,
+///     which takes the place of effects that it explains as well (search_beside_fem)
 ///   6 prediction of the speed that was left out, before and after
-///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection)
-///   8 where something is missing from the physics: the missing force, without a formula
+///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection); where
+///     FE was asked, names that have a form there tried in FE as well (ask_fem_of_names)
+///   8 where nothing lumped explains the data and FE comes near to them: effects in FE, one at a
+///     time (look_for_effects_in_fem)
+///   9 where something is missing from the physics: the missing force, without a formula
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the
 ///         data, or for an FE model of the implicit scheme; Error(interrupted).

@@ -76,6 +76,17 @@ Json nearest_json(const ExplainedShare& one) {
   return {{"name", one.effects.front()}, {"share_explained", one.share}};
 }
 
+Json in_fem_json(const EffectInFem& one) {
+  return {{"name", one.effect.name},
+          {"size", one.effect.size},
+          {"unit", or_one(size_unit(find_effect(one.effect.name).card))},
+          {"family", name_of(one.family)},
+          {"gap_before", number_or_null(one.gap.before)},
+          {"gap_after", number_or_null(one.gap.after)},
+          {"held_out_before", number_or_null(one.gap.held_out_before)},
+          {"held_out_after", number_or_null(one.gap.held_out_after)}};
+}
+
 Json next_json(const NextExperiment& one) {
   return {{"what", one.what}, {"separates", one.separates}, {"probability", one.probability}};
 }
@@ -184,6 +195,7 @@ Json to_json(const Diagnosis& d) {
       {"curve", curves.empty() ? Json(nullptr) : curves.front()},
       {"curves", curves},
       {"nearest_formulas", list_of(d.nearest, nearest_json)},
+      {"in_fem", list_of(d.in_fem, in_fem_json)},
       {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
       {"missing_force", missing_force_json(d)},
       {"contradictions", list_of(d.contradictions, check_json)},
@@ -209,7 +221,7 @@ Json to_json(const Diagnosis& d) {
       {"noise_from", d.seen ? d.seen->noise_from : ""},
       {"extended_model", nullptr},
       {"report", nullptr},
-      {"fem_cells", d.model_discrepancy ? Json(d.model_discrepancy->cells) : Json(nullptr)},
+      {"fem_cells", d.fem_alone ? Json(d.fem_alone->cells) : Json(nullptr)},
       {"believed_tier", d.numerical_uncertainty ? "fem" : "lumped"},
       {"numerical_uncertainty", number_or_null(d.numerical_uncertainty)},
       {"seed", d.seed}};

@@ -172,6 +172,13 @@ std::string to_text(const Diagnosis& d) {
   for (const ExplainedShare& one : d.nearest)
     text += fmt::format("nearest   {} explains {:.0f} % of the gap by itself\n",
                         one.effects.front(), 100.0 * one.share);
+  for (const EffectInFem& one : d.in_fem) {
+    if (&one - d.in_fem.data() >= 3) break;
+    text += fmt::format("in FE     {} {}: {} -> {}, unseen {} -> {}\n", one.effect.name,
+                        size_text(find_effect(one.effect.name).card, one.effect.size),
+                        text_of(one.gap.before), text_of(one.gap.after),
+                        text_of(one.gap.held_out_before), text_of(one.gap.held_out_after));
+  }
   if (d.bootstrap.draws > 0) {
     text +=
         fmt::format("repeated  chosen in {} repetitions of the measurement:", d.bootstrap.draws);

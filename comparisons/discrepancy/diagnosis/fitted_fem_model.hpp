@@ -1,30 +1,46 @@
 #pragma once
 
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
+#include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
-#include "fem/interface/fem_problem.hpp"
 #include "lumped/problem/run_control.hpp"
-#include "meshes/mesh.hpp"
 
 namespace rebound {
 
-/// Where fit_fem_model() starts: Hertz from the lumped peak of the first of `shots`, less what
+/// Where fit_fem_material() starts: Hertz from the lumped peak of the first of `shots`, less what
 /// the branch adds.
-FemProblem guess_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
-                           const HypothesisFit& lumped);
+/// Errors: Error(solver_failed) without a shot.
+Material guess_fem_material(const Observations& seen, const std::vector<std::size_t>& shots,
+                            const HypothesisFit& lumped);
 
-/// FE's own idea of a ball that hides nothing, fitted to the histories of some shots.
+/// FE's own idea of a ball that hides nothing but these effects.
 ///
-///   elastic neo-Hookean sphere, ν = 0.4, one branch far faster than the
-///   contact (loss without memory); unknown are its modulus and the branch's
-///   strength, two numbers as a lumped law has, and for each shot the start and
-///   the scale of the force within what gain and speed leave open
+///   elastic neo-Hookean sphere with one branch; unknown are its modulus, its Poisson ratio within
+///   0.1 to 0.45, strength and time of the branch, which has faded within a twelfth of the contact
+///   (loss without memory), the numbers of the effects, and for each shot the start and the scale
+///   of the force within what gain and speed leave open
+///
+///   effects    where their numbers start; none: FE with nothing hidden
+///   near       where the material starts, of a fit without effects; null: guess_fem_material()
 ///
 /// Caution: an error of the speed is taken as one of the force's scale alone,
 ///          F ~ v^1.2; the loss is what a fast branch gives, whatever the
 ///          believed law says.
+/// Limit:   data of FE itself, of another Poisson ratio and branch, are followed within their noise
+///          -> test BesideFem.ImpactsOfFemLackNothing.
 /// Errors:  those of calibrate() and FE; Error(solver_failed) without a shot.
-FemProblem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
-                         const HypothesisFit& lumped, const Mesh& mesh, const RunControl& control);
+FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
+                        const HypothesisFit& lumped, const FemBelief& fem,
+                        const std::vector<EffectChoice>& effects, const FittedFem* near,
+                        const RunControl& control);
+
+/// What a fitted ball leaves of other shots: Σ r² over histories and priors, with start and scale
+/// of every shot found anew and all else as it was fitted.
+/// Errors: as above.
+double chi_square_of(const Observations& shots_of, const std::vector<std::size_t>& shots,
+                     const FemBelief& fem, const FittedFem& fitted, const RunControl& control);
 
 }  // namespace rebound

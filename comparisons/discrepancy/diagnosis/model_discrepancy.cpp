@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
-#include "comparisons/inference/calibration/material_calibration.hpp"
-#include "comparisons/models/fem_access/fem_runner.hpp"
-#include "comparisons/models/fem_access/mesh_for.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
-#include "meshes/refine/refined_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -21,30 +19,7 @@ namespace {
 constexpr double first_phase = -0.1, last_phase = 1.3;
 constexpr int phases = 281;
 constexpr double samples_per_contact = 400.0;
-constexpr int coarse_cells = 500, fine_cells = 1000;
 constexpr double fem_fit_noise = 0.01;  // of the peak: weights only
-
-struct MeshPair {
-  Mesh coarse, fine;
-};
-
-/// For the smallest contact of `impacts`. The guess's branch has gone by the time of the peak.
-MeshPair meshes_for(FemProblem problem, const std::vector<Impact>& impacts, const OwnMesh& own,
-                    const RunControl& control) {
-  problem.material.branches.clear();
-  problem.impact =
-      *std::min_element(impacts.begin(), impacts.end(),
-                        [](const auto& a, const auto& b) { return a.speed < b.speed; });
-  problem.cells = coarse_cells;
-  problem.mesh_file = own.file;
-  Mesh coarse = mesh_for(problem, control);
-  if (!own.file.empty()) {
-    Mesh fine = refined_mesh(coarse, problem.sphere.radius());
-    return {std::move(coarse), std::move(fine)};
-  }
-  problem.cells = fine_cells;
-  return {std::move(coarse), mesh_for(problem, control)};
-}
 
 double peak_of(const std::vector<double>& force) {
   return *std::max_element(force.begin(), force.end());
@@ -68,24 +43,14 @@ std::vector<Impact> impacts_of(const Observations& all, std::size_t ball) {
   return impacts;
 }
 
-/// A shot with a history for each of these impacts, where there is one.
-std::vector<std::size_t> without_repeats(const Observations& seen, std::size_t ball,
-                                         const std::vector<Impact>& impacts) {
-  std::vector<std::size_t> shots;
-  for (const Impact& impact : impacts) {
-    const auto first = std::find_if(seen.shots.begin(), seen.shots.end(), [&](const auto& shot) {
-      return shot.ball == ball && shot.has_history() &&
-             one_distance(impact.speed, shot.impact.speed);
-    });
-    if (first != seen.shots.end())
-      shots.push_back(static_cast<std::size_t>(first - seen.shots.begin()));
-  }
-  return shots;
+bool is_hit(const Observations& all, std::size_t ball) {
+  return std::any_of(all.shots.begin(), all.shots.end(),
+                     [&](const MeasuredImpact& shot) { return shot.ball == ball; });
 }
 
 /// The fitted FE model's histories as if they had been measured.
 Observations as_observed(const Ball& ball, const std::vector<Impact>& impacts,
-                         const std::vector<FemResult>& results) {
+                         const std::vector<ModelledImpact>& results) {
   Observations seen;
   seen.balls = {{.name = ball.name, .sphere = ball.sphere}};
   for (std::size_t i = 0; i < impacts.size(); ++i) {
@@ -97,15 +62,6 @@ Observations as_observed(const Ball& ball, const std::vector<Impact>& impacts,
                           .restitution = {.value = results[i].scalars.restitution}});
   }
   return seen;
-}
-
-double rms_difference(const Trace& a, const Trace& b) {
-  double sum = 0.0;
-  const std::vector<double> other = reported_force(b, {}, a.time);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < other.size() && a.time[i] <= b.time.back(); ++i, ++count)
-    sum += (a.force[i] - other[i]) * (a.force[i] - other[i]);
-  return std::sqrt(sum / static_cast<double>(count)) / peak_of(a.force);
 }
 
 DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impact& impact,
@@ -127,6 +83,20 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
 }
 
 }  // namespace
+
+std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
+                                       std::size_t ball) {
+  std::vector<std::size_t> shots;
+  for (const Impact& impact : impacts_of(all, ball)) {
+    const auto first = std::find_if(seen.shots.begin(), seen.shots.end(), [&](const auto& shot) {
+      return shot.ball == ball && shot.has_history() &&
+             one_distance(impact.speed, shot.impact.speed);
+    });
+    if (first != seen.shots.end())
+      shots.push_back(static_cast<std::size_t>(first - seen.shots.begin()));
+  }
+  return shots;
+}
 
 double DiscrepancyCurve::at(double phase) const {
   const double place = (phase - first_phase) / phase_step;
@@ -155,37 +125,88 @@ Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scala
   return sum;
 }
 
+namespace {
+
+/// What FE says of one ball, on a mesh and on one of half the edge.
+struct BallInFem {
+  std::vector<ModelledImpact> impacts;  ///< on the finer mesh
+  std::vector<KnownDifferences> known;  ///< what that mesh adds, at these speeds alone
+  double error = 0.0;                   ///< of their histories, over the peak
+};
+
+BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const Material& material,
+                   const FemBelief& coarse, const FemBelief& fine) {
+  // Of what half the edge changes, 1/(2^p - 1) is missing yet; at the edge of a contact p is 3/2.
+  constexpr double still_missing = 0.547;
+  BallInFem result;
+  result.impacts.resize(impacts.size());
+  result.known.resize(impacts.size());
+  std::vector<double> errors(impacts.size());
+  in_parallel(impacts.size(), [&](std::size_t i) {
+    const ModelledImpact before = coarse.run(ball, impacts[i], material, {});
+    result.impacts[i] = fine.run(ball, impacts[i], material, {});
+    errors[i] = still_missing * history_difference(before, result.impacts[i]);
+    result.known[i] = {.ball = ball,
+                       .speed = impacts[i].speed,
+                       .finer = difference_between(before, result.impacts[i]),
+                       .faster = {},
+                       .reach = 0.0};
+  });
+  result.error = *std::max_element(errors.begin(), errors.end());
+  return result;
+}
+
+/// FE's own idea of every ball, fitted on meshes cut for a guess.
+std::vector<FittedFem> own_balls(const Observations& all, const Observations& seen,
+                                 const HypothesisFit& fit, const FemProblem& problem,
+                                 const RunControl& control) {
+  std::vector<std::vector<std::size_t>> shots;
+  std::vector<Material> guesses;
+  for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
+    shots.push_back(shots_for_fem(seen, all, ball));
+    guesses.push_back(is_hit(all, ball) ? guess_fem_material(seen, shots.back(), fit) : Material{});
+  }
+  const FemBelief fem(problem, all, guesses, search_cells, control);
+  std::vector<FittedFem> balls;
+  for (std::size_t ball = 0; ball < all.balls.size(); ++ball)
+    balls.push_back(is_hit(all, ball)
+                        ? fit_fem_model(seen, shots[ball], fit, fem, {}, nullptr, control)
+                        : FittedFem{});
+  return balls;
+}
+
+}  // namespace
+
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
                                            const HypothesisFit& fit, const OwnMesh& own,
                                            const RunControl& control) {
-  Hypothesis hypothesis = fit.hypothesis;
+  FemProblem problem;
+  problem.mesh_file = own.file;
   ModelDiscrepancy gap;
+  gap.balls = own_balls(all, seen, fit, problem, control);
+  std::vector<Material> materials;
+  for (const FittedFem& ball : gap.balls) materials.push_back(ball.material);
+  constexpr int one_halving = 1;
+  const FemBelief coarse(problem, all, materials, search_cells, control);
+  const FemBelief fine(problem, all, materials, search_cells, control, one_halving);
+  gap.cells = {coarse.cells(), fine.cells()};
+  std::vector<KnownDifferences> known;
+  Hypothesis hypothesis = fit.hypothesis;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
+    if (!is_hit(all, ball)) continue;
     const std::vector<Impact> impacts = impacts_of(all, ball);
-    if (impacts.empty()) continue;
-    const std::vector<std::size_t> shots = without_repeats(seen, ball, impacts);
-    const MeshPair meshes = meshes_for(guess_fem_model(seen, shots, fit), impacts, own, control);
-    gap.cells = {static_cast<int>(meshes.coarse.cells.size()),
-                 static_cast<int>(meshes.fine.cells.size())};
-    const FemProblem fem_fit = fit_fem_model(seen, shots, fit, meshes.fine, control);
-    const auto fine =
-        run_impacts(fem_fit, impacts, fem_runner(meshes.fine, fem_fit.sphere, control));
-    const auto coarse =
-        run_impacts(fem_fit, impacts, fem_runner(meshes.coarse, fem_fit.sphere, control));
-    for (const auto* results : {&fine, &coarse})
-      for (const FemResult& result : *results)
-        if (!result.incomplete_because.empty())
-          throw Error(ExitCode::solver_failed, "fitted FE model: " + result.incomplete_because);
-    const Observations as_data = as_observed(all.balls[ball], impacts, fine);
+    const BallInFem in_fem = run_ball(ball, impacts, materials[ball], coarse, fine);
+    gap.numerical_uncertainty = std::max(gap.numerical_uncertainty, in_fem.error);
+    known.insert(known.end(), in_fem.known.begin(), in_fem.known.end());
+    const Observations as_data = as_observed(all.balls[ball], impacts, in_fem.impacts);
     hypothesis.effects = effects_of_ball(fit.effects, ball);
     const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
-      gap.curves.push_back(curve_of(lumped, i, impacts[i], fine[i].trace));
+      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem.impacts[i].trace));
       gap.curves.back().ball = ball;
-      gap.numerical_uncertainty =
-          std::max(gap.numerical_uncertainty, rms_difference(fine[i].trace, coarse[i].trace));
     }
   }
+  gap.fem = std::make_shared<const FemBelief>(coarse.with(std::move(known)));
   return gap;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
-#include "fem/interface/modules.hpp"
 #include "lumped/problem/result.hpp"
 #include "lumped/problem/run_control.hpp"
 #include "lumped/problem/trace.hpp"
@@ -12,6 +13,7 @@
 namespace rebound {
 
 struct HypothesisFit;
+class FemBelief;
 
 /// What FE adds to the lumped model of one impact when nothing is hidden, free
 /// of scale.
@@ -32,10 +34,13 @@ struct DiscrepancyCurve {
 /// perfect FE experiment would grow a false effect.
 struct ModelDiscrepancy {
   std::vector<DiscrepancyCurve> curves;
-  /// What two meshes of the fem_fit differ by, rms over the contact, over the peak
-  /// force: the part of the error budget that is FE's own [-].
+  /// Error of FE's histories, rms over the contact, over the peak force: the part of the error
+  /// budget that is FE's own [-].
   double numerical_uncertainty = 0.0;
-  std::vector<int> cells;  ///< of the two meshes, of the last ball
+  std::vector<int> cells;        ///< of the two meshes, of the finest ball
+  std::vector<FittedFem> balls;  ///< FE's own idea of each ball
+  /// Those balls, corrected by the finer mesh at the speeds of the data.
+  std::shared_ptr<const FemBelief> fem;
 
   /// A lumped force history with the gap of that ball and speed added, from a
   /// tenth of the contact time before first touch to three tenths after it, or
@@ -45,16 +50,23 @@ struct ModelDiscrepancy {
                  double speed) const;
 };
 
-/// The user's own mesh in place of the two mapped ones: it and its refinement; empty: none.
+/// Shots of a ball that FE is fitted to: of those that were seen one with a history at each speed.
+std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
+                                       std::size_t ball);
+
+/// The user's own mesh in place of mapped ones: it and its refinement; empty: none.
 struct OwnMesh {
   std::string file;
 };
 
 /// Makes the fitted FE model of a believed lumped model and measures their distance.
 ///
-///   1 the fitted FE model, fitted to the histories in `seen` (fit_fem_model)
-///   2 its force histories at every speed of `all`
+///   1 of each ball FE's own material, fitted to the histories in `seen` (fit_fem_model)
+///   2 its force histories at every speed of `all`, on a mesh of half the edge
 ///   3 the lumped model refitted to those; what is left is the gap
+///
+/// The numerical uncertainty is 0.55 of what both meshes differ by: what order 3/2 leaves, which is
+/// that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
 ///
 /// Caution: the gap's shape is taken as independent of the numbers of the
 ///          model.

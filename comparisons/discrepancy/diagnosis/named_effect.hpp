@@ -19,7 +19,7 @@ struct NamedEffect {
   NumberWithInterval size;                        ///< of the first ball where balls differ
   std::vector<NumberWithInterval> size_of_balls;  ///< empty: one size for all
   std::vector<NumberWithInterval> parameters;
-  std::string lumped = "supported";  ///< supported | rejected | no-form | not-run
+  std::string lumped = "supported";  ///< supported | rejected | no-fit | no-form | not-run
   std::string fem = "not-run";
   /// Why these numbers cannot carry the name; empty where they can.
   ///

@@ -12,6 +12,7 @@
 #include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "lumped/problem/error.hpp"
+#include "meshes/refine/refined_mesh.hpp"
 
 namespace rebound {
 namespace {
@@ -68,7 +69,8 @@ namespace {
 
 auto key_of(std::size_t ball, const Impact& impact, const Material& material,
             const std::vector<EffectChoice>& effects) {
-  std::vector<double> numbers{static_cast<double>(ball), impact.speed, material.youngs_modulus};
+  std::vector<double> numbers{static_cast<double>(ball), impact.speed, material.youngs_modulus,
+                              material.poisson_ratio};
   std::vector<std::string> names;
   for (const PronyBranch& branch : material.branches)
     numbers.insert(numbers.end(), {branch.ratio, branch.relaxation_time});
@@ -86,12 +88,14 @@ auto key_of(std::size_t ball, const Impact& impact, const Material& material,
 }  // namespace
 
 FemBelief::FemBelief(FemProblem problem, const Observations& all,
-                     const std::vector<Material>& materials, int cells, const RunControl& control)
+                     const std::vector<Material>& materials, int cells, const RunControl& control,
+                     int halvings)
     : problem_(std::move(problem)), kept_(std::make_shared<KeptImpacts>()) {
   if (problem_.scheme != FemScheme::explicit_steps)
     throw Error(ExitCode::bad_input, "a diagnosis runs thousands of impacts",
                 {.key = "model.scheme", .value = "implicit", .allowed = "explicit"});
   problem_.cells = cells;
+  if (problem_.mesh_file.empty()) problem_.cells <<= 2 * halvings;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     spheres_.push_back(all.balls[ball].sphere);
     FemProblem slowest = problem_;
@@ -100,7 +104,9 @@ FemBelief::FemBelief(FemProblem problem, const Observations& all,
     slowest.impact.speed = slowest_speed(all, ball);
     run_.emplace_back();
     if (slowest.impact.speed == std::numeric_limits<double>::infinity()) continue;  // never hit
-    const Mesh mesh = mesh_for(slowest, control);
+    Mesh mesh = mesh_for(slowest, control);
+    if (!problem_.mesh_file.empty())
+      for (int k = 0; k < halvings; ++k) mesh = refined_mesh(mesh, slowest.sphere.radius());
     cells_ = std::max(cells_, static_cast<int>(mesh.cells.size()));
     run_.back() = fem_runner(mesh, slowest.sphere, control);
   }

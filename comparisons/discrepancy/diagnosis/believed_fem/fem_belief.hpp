@@ -23,10 +23,12 @@ namespace rebound {
 class FemBelief {
  public:
   /// `materials`: of each ball, for the grading of its mesh by the smallest contact.
+  /// `cells`: of a generated mesh; a mesh from a file is taken as it is. Edges are halved as often
+  /// as `halvings` says.
   /// Errors: Error(bad_input) for the implicit scheme, which is too slow for a search, and those of
   /// mesh_for().
   FemBelief(FemProblem problem, const Observations& all, const std::vector<Material>& materials,
-            int cells, const RunControl& control);
+            int cells, const RunControl& control, int halvings = 0);
 
   /// The same balls, cells and plate, of another material.
   FemBelief with(const Material& material) const;

@@ -10,7 +10,6 @@
 namespace rebound {
 namespace {
 
-constexpr int finer = 4;  // times the cells: half the edge
 
 /// By how much material numbers are moved to see what a correction is worth beside its own impact.
 constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
@@ -132,7 +131,8 @@ SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
   const int cells = fitted.cells;
   fitted.material = materials.front();
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
-  const FemBelief fine(fitted, all, materials, finer * cells, control);
+  constexpr int one_halving = 1;
+  const FemBelief fine(fitted, all, materials, cells, control, one_halving);
   const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = near.effects}, control);
   MeshComparison comparison(fit, fine);
   comparison.compare(seen);

@@ -1,0 +1,81 @@
+#include "comparisons/discrepancy/diagnosis/beside_fem.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
+constexpr double worth_a_search = 0.5;   // of what effects explain
+
+/// Is what FE adds worth a search of its own?
+bool comes_near(const Diagnosis& d, const HypothesisFit& with_fem) {
+  const double gained = d.selection.baseline.fit.chi_square - with_fem.chi_square;
+  if (gained <= plainly_nearer) return false;
+  if (d.selection.indistinguishable.empty()) return true;
+  return gained >= worth_a_search * (d.selection.baseline.fit.chi_square - d.best().chi_square);
+}
+
+const HypothesisFit& best_of(const EffectSelection& selection) {
+  return selection.indistinguishable.empty()
+             ? selection.baseline.fit
+             : selection.tried[selection.indistinguishable.front()].fit;
+}
+
+/// Does what was found beside FE take the place of what was found without?
+bool takes_its_place(const Diagnosis& d, const EffectSelection& beside, const Observations& seen,
+                     const SelectionRules& rules, const RunControl& control) {
+  if (!beside.explains()) return false;
+  if (!d.selection.explains()) return true;
+  const HypothesisFit& with_fem = best_of(beside);
+  // On the same errors: those of FE are among them now.
+  const HypothesisFit without = fit_further(seen, d.best(), control);
+  const double allowed =
+      with_fem.effects.size() < without.effects.size() ? rules.close_criterion : 0.0;
+  return with_fem.information_criterion <= without.information_criterion + allowed;
+}
+
+}  // namespace
+
+AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
+                            const DiagnosisRequest& request, const RunControl& control) {
+  return judge_believed(seen, fit_believed(seen, believed, control),
+                        absent_effects(believed.effects), request.rules, request.seed);
+}
+
+void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
+                       const Observations& all, const RunControl& whole) try {
+  constexpr double fem_fit_share = 0.7;  // of a diagnosis that asks FE
+  const RunControl control{.interrupted = whole.interrupted};
+  const auto gap = std::make_shared<const ModelDiscrepancy>(measure_model_discrepancy(
+      all, *d.seen, d.selection.baseline.fit, {.file = request.mesh_file}, control));
+  d.fem_alone = gap;
+  if (whole.progress) whole.progress(fem_fit_share);
+  Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;
+  baseline.model_discrepancy = believed_with_gap.model_discrepancy = gap;
+  if (!comes_near(d, fit_hypothesis(*d.seen, baseline, control))) return;
+  const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
+  EffectSelection selection =
+      select_effects(*seen, fit_hypothesis(*seen, baseline, control),
+                     absent_effects(baseline.effects), request.rules, request.seed, control);
+  if (!takes_its_place(d, selection, *seen, request.rules, control)) return;
+  d.believed = assess_believed(*seen, believed_with_gap, request, control);
+  d.selection = std::move(selection);
+  d.model_discrepancy = gap;
+  d.seen = seen;
+  d.unseen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.unseen, *gap));
+  d.warnings.push_back(fmt::format(
+      "the data follow a body of finite size: what FE adds to the lumped model (waves, finite "
+      "strain) was taken into account, with {:.2g} % of the peak force as its numerical "
+      "uncertainty",
+      100.0 * gap->numerical_uncertainty));
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  d.warnings.push_back(fmt::format("FE could not be asked: {}", error.what()));
+}
+
+}  // namespace rebound

@@ -1,0 +1,149 @@
+#include "comparisons/discrepancy/diagnosis/effects_in_fem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double half = 0.5;
+
+std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present) {
+  std::vector<std::string> names = absent_effects(present);
+  std::erase_if(names, [](const std::string& name) {
+    const Effect& effect = find_effect(name);
+    return !effect.to_fem || is_measurement(name) || effect.card.is_free_form ||
+           effect.card.is_switch || effect.card.oscillator || effect.card.oscillator_pair;
+  });
+  return names;
+}
+
+/// Where a search for an effect starts: its usual size; a memory fades in half a contact.
+EffectChoice start_of(const EffectCard& card, double contact_time) {
+  EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
+  for (const EffectParameterCard& one : card.parameters)
+    start.parameters[one.name] =
+        one.name == card.fades_in ? half * contact_time : one.default_value;
+  return start;
+}
+
+EffectInFem explained(const FemOfBalls& balls, const FemOfAllBalls& without,
+                      const FemOfAllBalls& with) {
+  EffectInFem one{.effect = with.balls.front().effects.front(),
+                  .information_criterion = with.information_criterion(),
+                  .gap = {.before = without.reduced_chi_square(),
+                          .after = with.reduced_chi_square(),
+                          .held_out_before = balls.unseen(without),
+                          .held_out_after = balls.unseen(with)}};
+  one.family = find_effect(one.effect.name).card.family;
+  return one;
+}
+
+/// Has half of the excess over the noise gone?
+bool is_worth_having(double before, double after) {
+  return before > 1.0 && before - std::max(1.0, after) >= half * (before - 1.0);
+}
+
+bool explains(const EffectInFem& one, const FemOfAllBalls& without, const SelectionRules& rules) {
+  const Gap& gap = one.gap;
+  return without.information_criterion() - one.information_criterion >= rules.close_criterion &&
+         is_worth_having(*gap.before, *gap.after) && *gap.after <= left_by_fem &&
+         (!gap.held_out_before || is_worth_having(*gap.held_out_before, *gap.held_out_after));
+}
+
+/// Each fitted by itself; one that has no answer is left out.
+std::vector<FemOfAllBalls> fit_each(const FemOfBalls& balls,
+                                    const std::vector<EffectChoice>& starts,
+                                    const RunControl& control) {
+  std::vector<std::optional<FemOfAllBalls>> fits(starts.size());
+  in_parallel(starts.size(), [&](std::size_t k) {
+    if (control.interrupted && control.interrupted())
+      throw Error(ExitCode::interrupted, "interrupted while effects were tried in FE");
+    try {
+      fits[k] = balls.fit({starts[k]});
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
+    }
+  });
+  std::vector<FemOfAllBalls> found;
+  for (auto& fit : fits)
+    if (fit) found.push_back(std::move(*fit));
+  return found;
+}
+
+/// FE with nothing hidden leaves what noise and its own errors do: nothing is missing from the
+/// physics.
+bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen) {
+  constexpr double deviations = 3.0;
+  const double most = 1.0 + deviations * std::sqrt(2.0 / static_cast<double>(without.samples));
+  return without.reduced_chi_square() <= most && unseen.value_or(0.0) <= left_by_fem;
+}
+
+void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
+  d.warnings.push_back(fmt::format(
+      "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
+      "hidden follows the same histories to {:.3g}, the gap that is stated",
+      *d.gap.before, without.reduced_chi_square()));
+  d.verdict = DiagnosisVerdict::agrees;
+  d.gap.before = without.reduced_chi_square();
+  d.gap.held_out_before = unseen;
+}
+
+/// What comes within reach of the best and explains the data is all of one family: that is theirs.
+void conclude_from_fem(Diagnosis& d, const FemOfAllBalls& without, const SelectionRules& rules) {
+  std::vector<const EffectInFem*> candidates;
+  for (const EffectInFem& one : d.in_fem)
+    if (explains(one, without, rules) &&
+        one.information_criterion <= d.in_fem.front().information_criterion + rules.close_criterion)
+      candidates.push_back(&one);
+  if (candidates.empty() || candidates.front() != &d.in_fem.front()) return;
+  const EffectFamily family = candidates.front()->family;
+  if (std::any_of(candidates.begin(), candidates.end(),
+                  [&](const EffectInFem* one) { return one->family != family; }))
+    return;
+  d.verdict = DiagnosisVerdict::family;
+  d.family = family;
+  d.candidates.clear();
+  for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
+  d.withheld = fmt::format(
+      "it depends on the tier: in FE {} takes the gap from {:.3g} to {:.3g}, and no lumped form "
+      "explains the data",
+      candidates.front()->effect.name, *candidates.front()->gap.before,
+      *candidates.front()->gap.after);
+}
+
+}  // namespace
+
+void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const SelectionRules& rules,
+                             const RunControl& control) try {
+  const FemOfBalls balls(d, all, control);
+  const FemOfAllBalls without = balls.fit({});
+  const bool is_near = d.model_discrepancy != nullptr ||
+                       without.chi_square <= half * d.selection.baseline.fit.chi_square;
+  if (!is_near) return;
+  if (const auto unseen = balls.unseen(without); is_the_noise(without, unseen))
+    return let_fem_stand(d, without, unseen);
+  const double contact_time =
+      d.selection.baseline.fit.model->impact(d.selection.baseline.fit.values, 0)
+          .scalars.contact_time;
+  std::vector<EffectChoice> starts;
+  for (const std::string& name : effects_of_fem(d.selection.baseline.fit.effects))
+    starts.push_back(start_of(find_effect(name).card, contact_time));
+  for (const FemOfAllBalls& with : fit_each(balls, starts, control))
+    if (with.chi_square < without.chi_square) d.in_fem.push_back(explained(balls, without, with));
+  std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
+    return a.information_criterion < b.information_criterion;
+  });
+  conclude_from_fem(d, without, rules);
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  d.warnings.push_back(fmt::format("FE could not be asked for effects: {}", error.what()));
+}
+
+}  // namespace rebound

@@ -1,0 +1,51 @@
+#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+
+namespace rebound {
+
+double FemOfAllBalls::information_criterion() const {
+  return chi_square + effect_unknowns * std::log(static_cast<double>(samples));
+}
+
+FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all, const RunControl& control)
+    : d_(d),
+      all_(all),
+      control_(control),
+      // Where FE's part is in the model already, its error is among those of the data.
+      seen_(d.model_discrepancy ? *d.seen : with_numerical_uncertainty(*d.seen, *d.fem_alone)),
+      unseen_(d.model_discrepancy ? *d.unseen
+                                  : with_numerical_uncertainty(*d.unseen, *d.fem_alone)) {}
+
+FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
+  FemOfAllBalls whole{.balls = d_.fem_alone->balls};
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+    const auto shots = shots_for_fem(seen_, all_, ball);
+    if (shots.empty()) continue;
+    FittedFem& own = whole.balls[ball];
+    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem,
+                        effects_of_ball(effects, ball), &own, control_);
+    whole.chi_square += own.chi_square;
+    whole.samples += own.samples;
+    whole.effect_unknowns += own.effect_unknowns;
+  }
+  return whole;
+}
+
+std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
+  double chi_square = 0.0, samples = 0.0;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+    const auto shots = shots_for_fem(unseen_, all_, ball);
+    if (shots.empty()) continue;
+    chi_square += chi_square_of(unseen_, shots, *d_.fem_alone->fem, fitted.balls[ball], control_);
+    for (const std::size_t shot : shots)
+      samples += static_cast<double>(unseen_.shots[shot].trace.force.size());
+  }
+  if (samples == 0.0) return std::nullopt;
+  return chi_square / samples;
+}
+
+}  // namespace rebound

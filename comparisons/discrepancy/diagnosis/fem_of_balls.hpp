@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+#include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
+
+namespace rebound {
+
+/// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
+inline constexpr double left_by_fem = 1.5;
+
+/// FE with some effects or none, fitted to the histories of every ball.
+struct FemOfAllBalls {
+  std::vector<FittedFem> balls;  ///< of a ball without a history: as it was before
+  double chi_square = 0.0;       ///< of all balls together
+  double effect_unknowns = 0.0;
+  std::size_t samples = 0;
+
+  double reduced_chi_square() const { return chi_square / static_cast<double>(samples); }
+  bool follows() const { return reduced_chi_square() <= left_by_fem; }
+  /// χ² + k ln N, k the numbers of the effects.
+  double information_criterion() const;
+};
+
+/// The balls of a diagnosis in FE, as `fem_alone` has cut and corrected them. FE's own error is
+/// among those of the data.
+///
+/// Caution: looks at the diagnosis and at all observations, which must outlive it.
+class FemOfBalls {
+ public:
+  FemOfBalls(const Diagnosis& d, const Observations& all, const RunControl& control);
+
+  /// From these numbers of the effects, and from what was fitted without them.
+  /// Errors: as fit_fem_model().
+  FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
+
+  /// χ² of the shots at the unseen speed over their samples, with starts and scales of their own
+  /// and all else as it was fitted; nothing where no history is there.
+  std::optional<double> unseen(const FemOfAllBalls& fitted) const;
+
+ private:
+  const Diagnosis& d_;
+  const Observations& all_;
+  RunControl control_;
+  Observations seen_, unseen_;
+};
+
+}  // namespace rebound

@@ -1,0 +1,100 @@
+#include "comparisons/discrepancy/diagnosis/names_in_fem.hpp"
+
+#include <fmt/format.h>
+
+#include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
+#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
+#include "lumped/problem/error.hpp"
+
+namespace rebound {
+namespace {
+
+bool has_both_forms(const NamedEffect& named) {
+  const Effect& effect = find_effect(named.effect.name);
+  return effect.to_fem && effect.to_lumped && !is_measurement(named.effect.name);
+}
+
+/// From the numbers of the lumped tier, and from a third of the size: an effect means one mechanism
+/// in both tiers, and not one number. Of what swings, every strength at the frequency that was
+/// found.
+std::vector<EffectChoice> starts_of(const EffectChoice& lumped, const Observations& seen) {
+  const EffectCard& card = find_effect(lumped.name).card;
+  std::vector<EffectChoice> starts;
+  if (card.oscillator) {
+    for (EffectChoice& one : stronger_effects(*card.oscillator, lumped, seen))
+      starts.push_back(std::move(one));
+  } else {
+    constexpr double third = 1.0 / 3.0;
+    starts.push_back(lumped);
+    starts.back().size *= third;
+  }
+  return starts;
+}
+
+/// Each effect in turn from all its starts, the others from where they are best so far.
+FemOfAllBalls fit_with(const FemOfBalls& balls, std::vector<EffectChoice> effects,
+                       const Observations& seen) {
+  FemOfAllBalls best = balls.fit(effects);
+  for (EffectChoice& effect : effects) {
+    EffectChoice nearest = effect;
+    for (const EffectChoice& start : starts_of(effect, seen)) {
+      effect = start;
+      FemOfAllBalls other = balls.fit(effects);
+      if (other.chi_square >= best.chi_square) continue;
+      best = std::move(other);
+      nearest = start;
+    }
+    effect = nearest;
+  }
+  return best;
+}
+
+std::string tier_verdict(const FemOfAllBalls& without, const FemOfAllBalls& with,
+                         const SelectionRules& rules) {
+  constexpr double worth_having = 0.5;
+  const double gain = without.chi_square - with.chi_square;
+  const double excess = without.chi_square - static_cast<double>(without.samples);
+  const bool pays =
+      without.information_criterion() - with.information_criterion() >= rules.close_criterion;
+  if (pays && gain >= worth_having * excess) return "supported";
+  return without.follows() ? "rejected" : "no-fit";
+}
+
+}  // namespace
+
+void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRules& rules,
+                      const RunControl& control) try {
+  std::vector<NamedEffect*> asked;
+  std::vector<EffectChoice> choices;
+  for (NamedEffect& named : d.effects)
+    if (has_both_forms(named)) {
+      asked.push_back(&named);
+      choices.push_back(named.effect);
+    }
+  if (asked.empty()) return;
+  const FemOfBalls balls(d, all, control);
+  const FemOfAllBalls with = fit_with(balls, choices, *d.seen);
+  std::string denied;
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    std::vector<EffectChoice> others = choices;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    const FemOfAllBalls without = fit_with(balls, others, *d.seen);
+    asked[k]->fem = tier_verdict(without, with, rules);
+    if (asked[k]->fem == "rejected" && denied.empty())
+      denied = fmt::format(
+          "{} depends on the tier: the lumped model needs it, and FE follows the same histories "
+          "without it (reduced chi square {:.3g}, and {:.3g} with it)",
+          asked[k]->effect.name, without.reduced_chi_square(), with.reduced_chi_square());
+  }
+  if (denied.empty()) return;
+  if (d.verdict == DiagnosisVerdict::missing)
+    withhold(d, without_name(d), denied);
+  else
+    d.warnings.push_back(denied);
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  d.warnings.push_back(fmt::format("FE could not be asked of the name: {}", error.what()));
+}
+
+}  // namespace rebound

@@ -1,0 +1,114 @@
+// `diagnose` with a lumped model in doubt and data of the FE tier: what a body of finite size does
+// by itself is no effect, and a name that FE has a form of is asked of FE too.
+#include "tests/cli/program.hpp"
+
+namespace rebound::testing {
+namespace {
+
+const std::string lumped = R"(schema = 1
+[model]
+tier = "lumped"
+law = "hunt-crossley"
+stiffness = "3e6 N/m^1.5"
+damping = "50000 N.s/m^2.5"
+)";
+
+std::string experiment_of(const std::string& model, const std::string& noise) {
+  return R"(schema = 1
+name = "hidden"
+seed = 5
+[sphere]
+mass = "89.6 g"
+diameter = "66.2 mm"
+)" + model +
+         R"([instrument]
+force_noise = ")" +
+         noise +
+         R"("
+force_gain_uncertainty = 0.01
+[sampling]
+rate = "100 kHz"
+before = "0.5 ms"
+after = "3 ms"
+[[shot]]
+speed = "5 m/s"
+speed_uncertainty = "0.02 m/s"
+[[shot]]
+speed = "10 m/s"
+speed_uncertainty = "0.04 m/s"
+[[shot]]
+speed = "20 m/s"
+speed_uncertainty = "0.08 m/s"
+)";
+}
+
+std::string ball(const std::string& material) {
+  return "[model]\ntier = \"fem\"\ncells = 3000\n[model.material]\nmodulus = \"long-term\"\n" +
+         material;
+}
+
+std::string branch(const std::string& ratio, const std::string& time) {
+  return "[[model.material.branch]]\nratio = " + ratio + "\nrelaxation_time = \"" + time + "\"\n";
+}
+
+class BesideFem : public ProgramTest {
+ protected:
+  nlohmann::json diagnosis_of(const std::string& model, const std::string& noise = "15 N") {
+    folder.write("experiment.toml", experiment_of(model, noise));
+    folder.write("believed.toml", lumped);
+    EXPECT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
+    const Outcome outcome =
+        rebound({"diagnose", "x/data", "--model", "believed.toml", "--out", "diagnosis", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    return nlohmann::json::parse(outcome.output);
+  }
+};
+
+/// Materials that no part of the diagnosis knows: another Poisson ratio, another elastic law, two
+/// branches. The lumped model alone misses each by many times the noise.
+TEST_F(BesideFem, ImpactsOfFemLackNothing) {
+  const std::vector<std::string> balls = {
+      ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"9 MPa\"\npoisson_ratio = 0.25\n" +
+           branch("1.2", "0.04 ms")),
+      ball("elastic = \"mooney-rivlin\"\nyoungs_modulus = \"11 MPa\"\npoisson_ratio = 0.45\n" +
+           branch("0.8", "0.05 ms")),
+      ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.4\n" +
+           branch("0.5", "0.03 ms") + branch("0.2", "0.12 ms"))};
+  for (const std::string& one : balls) {
+    const auto found = diagnosis_of(one);
+    EXPECT_EQ(found["verdict"], "agrees") << found["warnings"];
+    EXPECT_FALSE(found["fem_cells"].is_null());
+    EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);
+    EXPECT_LT(found["gap"]["held_out_before"].get<double>(), 1.3);
+  }
+}
+
+/// The lumped search finds the plate; what it needs beside it is what FE has by itself.
+TEST_F(BesideFem, APlateUnderABallOfFemIsSupported) {
+  const auto found = diagnosis_of(ball(
+      "elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
+      branch("1.0", "0.04 ms") +
+      "[[model.effect]]\nname = \"plate-compliance\"\nsize = \"3e-8 m/N\"\nmass = \"6 kg\"\n"));
+  EXPECT_EQ(found["family"], "dynamics") << found["warnings"];
+  EXPECT_GT(found["gap"]["before"].get<double>(), 10.0);
+  ASSERT_FALSE(found["effects"].empty());
+  EXPECT_EQ(found["effects"][0]["name"], "plate-compliance");
+  EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "supported");
+}
+
+/// Mullins' softening is a curve of the largest strain of each point, which no lumped form has.
+TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
+  const auto found = diagnosis_of(
+      ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
+           branch("1.0", "0.04 ms") + "[[model.effect]]\nname = \"hysteresis\"\nsize = 0.5\n"),
+      "4 N");
+  EXPECT_EQ(found["verdict"], "family") << found["warnings"];
+  EXPECT_EQ(found["family"], "history");
+  ASSERT_FALSE(found["in_fem"].empty());
+  EXPECT_EQ(found["in_fem"][0]["name"], "hysteresis");
+  EXPECT_LT(found["in_fem"][0]["gap_after"].get<double>(), 1.5);
+  EXPECT_GT(found["in_fem"][0]["gap_before"].get<double>(), 2.0);
+}
+
+}  // namespace
+}  // namespace rebound::testing
