@@ -10,7 +10,6 @@
 namespace rebound {
 namespace {
 
-
 /// By how much material numbers are moved to see what a correction is worth beside its own impact.
 constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
 /// Of what a mesh of half the edge changes, what one of no edge would change yet: second order.
