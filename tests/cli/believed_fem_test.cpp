@@ -1,5 +1,5 @@
 // `diagnose` with an FE model in doubt: data of the FE tier on a mesh of its own, end to end.
-#include "tests/cli/program.hpp"
+#include "tests/cli/diagnosed_experiment.hpp"
 
 namespace rebound::testing {
 namespace {
@@ -56,21 +56,10 @@ size = 0.3
 relaxation_time = "0.5 ms"
 )";
 
-class BelievedFem : public ProgramTest {
- protected:
-  nlohmann::json diagnosis_of(const std::string& model) {
-    folder.write("experiment.toml", experiment);
-    folder.write("believed.toml", model);
-    EXPECT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
-    const Outcome outcome =
-        rebound({"diagnose", "x/data", "--model", "believed.toml", "--out", "diagnosis", "--json"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output);
-  }
-};
+class BelievedFem : public DiagnosedExperiment {};
 
 TEST_F(BelievedFem, ABranchThatIsMissingIsNamed) {
-  const auto found = diagnosis_of(elastic);
+  const auto found = diagnosis_of(experiment, elastic);
   ASSERT_EQ(found["verdict"], "missing") << found["warnings"];
   ASSERT_EQ(found["effects"].size(), 1u);
   EXPECT_EQ(found["effects"][0]["name"], "relaxation");
@@ -89,7 +78,7 @@ TEST_F(BelievedFem, ABranchThatIsMissingIsNamed) {
 }
 
 TEST_F(BelievedFem, AModelOfTheSameFormAgrees) {
-  const auto found = diagnosis_of(elastic + relaxation);
+  const auto found = diagnosis_of(experiment, elastic + relaxation);
   EXPECT_EQ(found["verdict"], "agrees") << found["warnings"];
   EXPECT_TRUE(found["effects"].empty());
   EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);

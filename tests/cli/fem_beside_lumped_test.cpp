@@ -1,6 +1,6 @@
 // `diagnose` with a lumped model in doubt and data of the FE tier: what a body of finite size does
 // by itself is no effect, and a name that FE has a form of is asked of FE too.
-#include "tests/cli/program.hpp"
+#include "tests/cli/diagnosed_experiment.hpp"
 
 namespace rebound::testing {
 namespace {
@@ -51,16 +51,10 @@ std::string branch(const std::string& ratio, const std::string& time) {
   return "[[model.material.branch]]\nratio = " + ratio + "\nrelaxation_time = \"" + time + "\"\n";
 }
 
-class BesideFem : public ProgramTest {
+class BesideFem : public DiagnosedExperiment {
  protected:
-  nlohmann::json diagnosis_of(const std::string& model, const std::string& noise = "15 N") {
-    folder.write("experiment.toml", experiment_of(model, noise));
-    folder.write("believed.toml", lumped);
-    EXPECT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
-    const Outcome outcome =
-        rebound({"diagnose", "x/data", "--model", "believed.toml", "--out", "diagnosis", "--json"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    return nlohmann::json::parse(outcome.output);
+  nlohmann::json beside_lumped(const std::string& model, const std::string& noise = "15 N") {
+    return diagnosis_of(experiment_of(model, noise), lumped);
   }
 };
 
@@ -75,7 +69,7 @@ TEST_F(BesideFem, ImpactsOfFemLackNothing) {
       ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.4\n" +
            branch("0.5", "0.03 ms") + branch("0.2", "0.12 ms"))};
   for (const std::string& one : balls) {
-    const auto found = diagnosis_of(one);
+    const auto found = beside_lumped(one);
     EXPECT_EQ(found["verdict"], "agrees") << found["warnings"];
     EXPECT_FALSE(found["fem_cells"].is_null());
     EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);
@@ -85,7 +79,7 @@ TEST_F(BesideFem, ImpactsOfFemLackNothing) {
 
 /// The lumped search finds the plate; what it needs beside it is what FE has by itself.
 TEST_F(BesideFem, APlateUnderABallOfFemIsSupported) {
-  const auto found = diagnosis_of(ball(
+  const auto found = beside_lumped(ball(
       "elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
       branch("1.0", "0.04 ms") +
       "[[model.effect]]\nname = \"plate-compliance\"\nsize = \"3e-8 m/N\"\nmass = \"6 kg\"\n"));
@@ -98,13 +92,18 @@ TEST_F(BesideFem, APlateUnderABallOfFemIsSupported) {
 
 /// Mullins' softening is a curve of the largest strain of each point, which no lumped form has.
 TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
-  const auto found = diagnosis_of(
+  const auto found = beside_lumped(
       ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
            branch("1.0", "0.04 ms") + "[[model.effect]]\nname = \"hysteresis\"\nsize = 0.5\n"),
       "4 N");
   EXPECT_EQ(found["verdict"], "family") << found["warnings"];
   EXPECT_EQ(found["family"], "history");
+  EXPECT_TRUE(found["gap"]["after"].is_null()) << "no lumped model stands behind it";
   ASSERT_FALSE(found["in_fem"].empty());
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : found["in_fem"][0].items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"family", "gap_after", "gap_before", "held_out_after",
+                                            "held_out_before", "name", "size", "unit"}));
   EXPECT_EQ(found["in_fem"][0]["name"], "hysteresis");
   EXPECT_LT(found["in_fem"][0]["gap_after"].get<double>(), 1.5);
   EXPECT_GT(found["in_fem"][0]["gap_before"].get<double>(), 2.0);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/diagnosed_experiment.hpp"
 
 namespace rebound::testing {
 namespace {
@@ -79,20 +79,14 @@ Experiment drawn(std::uint64_t seed) {
                             stiffness, 0.01 * stiffness)};
 }
 
-class BesideFemLong : public ProgramTest {};
+class BesideFemLong : public DiagnosedExperiment {};
 
 TEST_F(BesideFemLong, OfFortyEightBallsThreeAtMostLackSomething) {
   constexpr int balls = 48, most = 3;
   int lacking = 0;
   for (int seed = 1; seed <= balls; ++seed) {
     const Experiment experiment = drawn(static_cast<std::uint64_t>(seed));
-    folder.write("experiment.toml", experiment.synthesis);
-    folder.write("believed.toml", experiment.believed);
-    ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
-    const Outcome outcome =
-        rebound({"diagnose", "x/data", "--model", "believed.toml", "--out", "d", "--json"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-    const auto found = nlohmann::json::parse(outcome.output);
+    const auto found = diagnosis_of(experiment.synthesis, experiment.believed);
     if (found["verdict"] == "agrees") continue;
     ++lacking;
     std::cout << fmt::format("seed {}: {}, family {}, gap {}\n", seed, found["verdict"].dump(),

@@ -1,12 +1,11 @@
 #include "comparisons/discrepancy/consistency/effects_on_scalars.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <optional>
 
 #include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
-#include "comparisons/models/parallel/in_parallel.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -29,23 +28,6 @@ std::vector<std::string> promising(const EffectSensitivities& around, double chi
 
 using Fits = std::vector<std::optional<HypothesisFit>>;
 
-/// Each fit by itself; one that has no answer is left out.
-Fits fit_each(std::size_t count, const RunControl& control,
-              const std::function<HypothesisFit(std::size_t)>& fit) {
-  Fits fits(count);
-  in_parallel(count, [&](std::size_t k) {
-    if (control.interrupted && control.interrupted())
-      throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
-    try {
-      fits[k] = fit(k);
-    } catch (const Error& error) {
-      // A search may end at numbers that the effect cannot have.
-      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
-    }
-  });
-  return fits;
-}
-
 std::vector<HypothesisFit> best_first(Fits fits) {
   std::vector<HypothesisFit> all;
   for (auto& fit : fits)
@@ -64,13 +46,14 @@ std::vector<HypothesisFit> try_effects(const Observations& seen, const Hypothesi
   EffectSensitivities around(seen, believed, absent_effects(believed.effects), GridDetail::coarse);
   around.look_for_starts();
   const std::vector<std::string> names = promising(around, believed.chi_square);
-  std::vector<HypothesisFit> fits = best_first(fit_each(names.size(), control, [&](std::size_t k) {
-    return fit_extended(seen, believed, around.starts(names[k], 1), SearchEffort::first_look,
-                        within);
-  }));
+  std::vector<HypothesisFit> fits =
+      best_first(fit_each<HypothesisFit>(names.size(), control, [&](std::size_t k) {
+        return fit_extended(seen, believed, around.starts(names[k], 1), SearchEffort::first_look,
+                            within);
+      }));
   const std::size_t further = std::min(searched_to_the_end, fits.size());
-  Fits ended =
-      fit_each(further, control, [&](std::size_t k) { return fit_further(seen, fits[k], within); });
+  Fits ended = fit_each<HypothesisFit>(
+      further, control, [&](std::size_t k) { return fit_further(seen, fits[k], within); });
   for (std::size_t k = further; k < fits.size(); ++k) ended.emplace_back(std::move(fits[k]));
   std::vector<HypothesisFit> ended_first = best_first(std::move(ended)), tried;
   for (HypothesisFit& fit : ended_first)

@@ -96,4 +96,11 @@ HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesi
   return std::move(*best);
 }
 
+AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
+                            const SelectionRules& rules, std::uint64_t seed,
+                            const RunControl& control) {
+  return judge_believed(seen, fit_believed(seen, believed, control),
+                        absent_effects(believed.effects), rules, seed);
+}
+
 }  // namespace rebound

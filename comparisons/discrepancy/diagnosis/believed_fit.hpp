@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 
 namespace rebound {
 
@@ -16,5 +16,11 @@ namespace rebound {
 HypothesisFit fit_believed(const Observations& seen, const Hypothesis& hypothesis,
                            const RunControl& control = {},
                            SearchEffort effort = SearchEffort::whole);
+
+/// The believed model fitted, and looked at closely: beside it stand all effects that it lacks.
+/// Errors: as above.
+AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
+                            const SelectionRules& rules, std::uint64_t seed,
+                            const RunControl& control = {});
 
 }  // namespace rebound

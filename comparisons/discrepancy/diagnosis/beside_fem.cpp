@@ -20,32 +20,23 @@ bool comes_near(const Diagnosis& d, const HypothesisFit& with_fem) {
   return gained >= worth_a_search * (d.selection.baseline.fit.chi_square - d.best().chi_square);
 }
 
-const HypothesisFit& best_of(const EffectSelection& selection) {
-  return selection.indistinguishable.empty()
-             ? selection.baseline.fit
-             : selection.tried[selection.indistinguishable.front()].fit;
-}
-
 /// Does what was found beside FE take the place of what was found without?
 bool takes_its_place(const Diagnosis& d, const EffectSelection& beside, const Observations& seen,
-                     const SelectionRules& rules, const RunControl& control) {
+                     const SelectionRules& rules, const RunControl& control) try {
   if (!beside.explains()) return false;
   if (!d.selection.explains()) return true;
-  const HypothesisFit& with_fem = best_of(beside);
+  const HypothesisFit& with_fem = beside.best();
   // On the same errors: those of FE are among them now.
   const HypothesisFit without = fit_further(seen, d.best(), control);
   const double allowed =
       with_fem.effects.size() < without.effects.size() ? rules.close_criterion : 0.0;
   return with_fem.information_criterion <= without.information_criterion + allowed;
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  return true;  // what has no fit from where it stands is no rival
 }
 
 }  // namespace
-
-AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
-                            const DiagnosisRequest& request, const RunControl& control) {
-  return judge_believed(seen, fit_believed(seen, believed, control),
-                        absent_effects(believed.effects), request.rules, request.seed);
-}
 
 void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
                        const Observations& all, const RunControl& whole) try {
@@ -63,7 +54,7 @@ void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypo
       select_effects(*seen, fit_hypothesis(*seen, baseline, control),
                      absent_effects(baseline.effects), request.rules, request.seed, control);
   if (!takes_its_place(d, selection, *seen, request.rules, control)) return;
-  d.believed = assess_believed(*seen, believed_with_gap, request, control);
+  d.believed = assess_believed(*seen, believed_with_gap, request.rules, request.seed, control);
   d.selection = std::move(selection);
   d.model_discrepancy = gap;
   d.seen = seen;

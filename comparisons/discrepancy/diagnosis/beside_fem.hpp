@@ -22,8 +22,4 @@ namespace rebound {
 void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
                        const Observations& all, const RunControl& whole);
 
-/// The believed model fitted and looked at closely.
-AssessedFit assess_believed(const Observations& seen, const Hypothesis& believed,
-                            const DiagnosisRequest& request, const RunControl& control);
-
 }  // namespace rebound

@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/effects_in_fem.hpp"
@@ -64,7 +65,7 @@ void report_progress(const RunControl& whole, double fraction) {
 void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& believed,
             const Observations& all, const RunControl& whole) {
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
-  d.believed = assess_believed(*d.seen, believed, request, control);
+  d.believed = assess_believed(*d.seen, believed, request.rules, request.seed, control);
   report_progress(whole, baseline_share);
   const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
   const UnseenSpeed unseen = d.held_out_speed ? UnseenSpeed{d.unseen.get(), &all} : UnseenSpeed{};

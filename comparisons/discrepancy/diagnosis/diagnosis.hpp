@@ -117,11 +117,7 @@ struct Diagnosis {
   bool extended() const { return best().effects.size() > believed_effects; }
   /// The fit that the verdict rests on: the best candidate, or what the search
   /// started from.
-  const HypothesisFit& best() const {
-    return selection.indistinguishable.empty()
-               ? selection.baseline.fit
-               : selection.tried[selection.indistinguishable.front()].fit;
-  }
+  const HypothesisFit& best() const { return selection.best(); }
 };
 
 /// Runs the workflow.

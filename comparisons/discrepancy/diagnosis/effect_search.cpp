@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "comparisons/discrepancy/diagnosis/candidates.hpp"
+#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
-#include "comparisons/models/parallel/in_parallel.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -62,17 +61,7 @@ EffectSearch::Ranked EffectSearch::best_of_each_kind(const Ranked& ranked) const
 /// nowhere, drop out.
 EffectSearch::Fits EffectSearch::fit_all(
     std::size_t count, const std::function<HypothesisFit(std::size_t)>& fit) const {
-  Fits results(count);
-  in_parallel(count, [&](std::size_t i) {
-    if (control_.interrupted && control_.interrupted())
-      throw Error(ExitCode::interrupted, "interrupted while effects were fitted");
-    try {
-      results[i] = fit(i);
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
-    }
-  });
-  return results;
+  return fit_each<HypothesisFit>(count, control_, fit);
 }
 
 void EffectSearch::finish(Fits& looked_at) const {

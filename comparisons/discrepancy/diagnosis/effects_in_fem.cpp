@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
-#include "comparisons/models/parallel/in_parallel.hpp"
+#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -57,26 +58,6 @@ bool explains(const EffectInFem& one, const FemOfAllBalls& without, const Select
          (!gap.held_out_before || is_worth_having(*gap.held_out_before, *gap.held_out_after));
 }
 
-/// Each fitted by itself; one that has no answer is left out.
-std::vector<FemOfAllBalls> fit_each(const FemOfBalls& balls,
-                                    const std::vector<EffectChoice>& starts,
-                                    const RunControl& control) {
-  std::vector<std::optional<FemOfAllBalls>> fits(starts.size());
-  in_parallel(starts.size(), [&](std::size_t k) {
-    if (control.interrupted && control.interrupted())
-      throw Error(ExitCode::interrupted, "interrupted while effects were tried in FE");
-    try {
-      fits[k] = balls.fit({starts[k]});
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
-    }
-  });
-  std::vector<FemOfAllBalls> found;
-  for (auto& fit : fits)
-    if (fit) found.push_back(std::move(*fit));
-  return found;
-}
-
 /// FE with nothing hidden leaves what noise and its own errors do: nothing is missing from the
 /// physics.
 bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen) {
@@ -90,6 +71,7 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
       "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
       "hidden follows the same histories to {:.3g}, the gap that is stated",
       *d.gap.before, without.reduced_chi_square()));
+  drop_candidates(d);
   d.verdict = DiagnosisVerdict::agrees;
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;
@@ -107,9 +89,9 @@ void conclude_from_fem(Diagnosis& d, const FemOfAllBalls& without, const Selecti
   if (std::any_of(candidates.begin(), candidates.end(),
                   [&](const EffectInFem* one) { return one->family != family; }))
     return;
+  drop_candidates(d);
   d.verdict = DiagnosisVerdict::family;
   d.family = family;
-  d.candidates.clear();
   for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
   d.withheld = fmt::format(
       "it depends on the tier: in FE {} takes the gap from {:.3g} to {:.3g}, and no lumped form "
@@ -135,8 +117,11 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   std::vector<EffectChoice> starts;
   for (const std::string& name : effects_of_fem(d.selection.baseline.fit.effects))
     starts.push_back(start_of(find_effect(name).card, contact_time));
-  for (const FemOfAllBalls& with : fit_each(balls, starts, control))
-    if (with.chi_square < without.chi_square) d.in_fem.push_back(explained(balls, without, with));
+  const auto fits = fit_each<FemOfAllBalls>(starts.size(), control,
+                                            [&](std::size_t k) { return balls.fit({starts[k]}); });
+  for (const auto& with : fits)
+    if (with && with->chi_square < without.chi_square)
+      d.in_fem.push_back(explained(balls, without, *with));
   std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
     return a.information_criterion < b.information_criterion;
   });

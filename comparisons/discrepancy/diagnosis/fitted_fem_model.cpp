@@ -7,11 +7,11 @@
 #include <map>
 #include <tuple>
 
+#include "comparisons/discrepancy/diagnosis/record_of_impact.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/nuisances.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
-#include "comparisons/models/instrument/ring_down.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -104,14 +104,11 @@ class Records {
     std::vector<double> residuals;
     for (std::size_t k = 0; k < shots_.size(); ++k) {
       const MeasuredImpact& shot = seen_.shots[shots_[k]];
-      MeasurementChain chain;
-      chain.bandwidth = shot.force_bandwidth.value_or(chain.bandwidth);
-      chain.filter_class = shot.force_filter_class.value_or(0.0);
+      MeasurementChain chain = stated_chain(shot);
       nuisances_.apply(values, shots_[k], chain);
-      const Trace& contact = impacts[k].trace;
-      const double after = shot.trace.time.back() - chain.trigger_shift - contact.time.back();
-      const auto r = whitened(shot, reported_force(with_ring_down(contact, impacts[k].plate, after),
-                                                   chain, shot.trace.time));
+      const auto& time = shot.trace.time;
+      const auto r =
+          whitened(shot, reported_force(contact_and_after(impacts[k], chain, time), chain, time));
       residuals.insert(residuals.end(), r.begin(), r.end());
     }
     return residuals;
@@ -139,15 +136,6 @@ std::vector<ModelledImpact> run_shots(const Observations& seen,
     impacts[k] = fem.run(shot.ball, shot.impact, material, effects);
   });
   return impacts;
-}
-
-/// Instant at which a force first rises above three tenths of its peak.
-double rise_time(const Trace& trace) {
-  constexpr double first_rise = 0.3;
-  const double level = first_rise * *std::max_element(trace.force.begin(), trace.force.end());
-  std::size_t i = 0;
-  while (trace.force[i] < level) ++i;
-  return trace.time[i];
 }
 
 CalibrationControls controls_in_fem() {

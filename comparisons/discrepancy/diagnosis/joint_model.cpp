@@ -3,19 +3,10 @@
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/record_of_impact.hpp"
 
 namespace rebound {
 namespace {
-
-constexpr double first_rise = 0.3;  // of the peak: above the noise, finds the start of contact
-
-/// Instant at which a force first rises above a share of its peak.
-double rise_time(const std::vector<double>& time, const std::vector<double>& force) {
-  const double level = first_rise * *std::max_element(force.begin(), force.end());
-  std::size_t i = 0;
-  while (force[i] < level) ++i;
-  return time[i];
-}
 
 std::variant<LawFactors, MaterialFactors> numbers_of(const Hypothesis& hypothesis,
                                                      const std::vector<Ball>& balls,
@@ -96,9 +87,7 @@ void JointModel::estimate_starts() {
     unknown.start = data.time.front();  // anywhere; the impact does not ask
     values[place] = unknown.start;
     const Trace& model = impact(values, shot).trace;
-    unknown.start =
-        std::clamp(rise_time(data.time, data.force) - rise_time(model.time, model.force),
-                   unknown.lowest, unknown.highest);
+    unknown.start = std::clamp(rise_time(data) - rise_time(model), unknown.lowest, unknown.highest);
   }
 }
 

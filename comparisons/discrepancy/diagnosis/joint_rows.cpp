@@ -1,5 +1,6 @@
 // What a joint model says of the data: the second half of JointModel.
 #include "comparisons/discrepancy/diagnosis/joint_model.hpp"
+#include "comparisons/discrepancy/diagnosis/record_of_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@
 #include "comparisons/io/dataset/contact_window.hpp"
 #include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
-#include "comparisons/models/instrument/ring_down.hpp"
 
 namespace rebound {
 namespace {
@@ -88,11 +88,7 @@ void JointModel::add_rows() {
 }
 
 MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
-  MeasurementChain chain;
-  chain.shot = seen_.shots[shot].number;
-  chain.bandwidth = seen_.shots[shot].force_bandwidth.value_or(chain.bandwidth);
-  chain.filter_class = seen_.shots[shot].force_filter_class.value_or(0.0);
-  chain.contact_threshold = seen_.shots[shot].contact_threshold.value_or(0.0);
+  MeasurementChain chain = stated_chain(seen_.shots[shot]);
   apply_effects(effects_of_shot(values, shot), chain);
   nuisances_.apply(values, shot, chain);
   return chain;
@@ -109,8 +105,7 @@ std::vector<double> JointModel::force_at(const std::vector<double>& values, std:
   const MeasurementChain chain = chain_at(values, shot);
   if (!result.plate.moves() && !hypothesis_.model_discrepancy)
     return reported_force(result.trace, chain, time);
-  Trace force = with_ring_down(result.trace, result.plate,
-                               time.back() - chain.trigger_shift - result.trace.time.back());
+  Trace force = contact_and_after(result, chain, time);
   if (hypothesis_.model_discrepancy)
     force = hypothesis_.model_discrepancy->added_to(force, result.scalars, seen_.shots[shot].ball,
                                                     seen_.shots[shot].impact.speed);

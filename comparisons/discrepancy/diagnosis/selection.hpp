@@ -20,6 +20,10 @@ struct EffectSelection {
 
   /// Is there a model, with or without effects, that leaves nothing over?
   bool explains() const { return baseline.adequate || !indistinguishable.empty(); }
+  /// The best candidate, or what the search started from.
+  const HypothesisFit& best() const {
+    return indistinguishable.empty() ? baseline.fit : tried[indistinguishable.front()].fit;
+  }
 };
 
 /// What a search may ask of a speed that none of its fits sees; nothing where there is none.

@@ -35,14 +35,8 @@ void let_the_believed_model_stand(Diagnosis& d) {
       "the gap goes from {:.3g} to {:.3g}",
       fmt::join(d.candidates.front(), " + "), d.candidates.size(), *d.gap.held_out_before,
       *d.gap.held_out_after);
+  drop_candidates(d);
   d.verdict = DiagnosisVerdict::agrees;
-  d.candidates.clear();
-  d.effects.clear();
-  d.next.clear();
-  d.selection.indistinguishable.clear();
-  d.unseen_after.reset();
-  d.gap.after.reset();
-  d.gap.held_out_after.reset();
 }
 
 /// A fault that all shots share would be there at the unseen speed, too; one of a single shot is
@@ -64,6 +58,18 @@ bool is_shared_fault(const Diagnosis& d) {
 
 DiagnosisVerdict without_name(const Diagnosis& d) {
   return d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
+}
+
+void drop_candidates(Diagnosis& d) {
+  d.candidates.clear();
+  d.effects.clear();
+  d.curves.clear();
+  d.next.clear();
+  d.bootstrap = {};
+  d.selection.indistinguishable.clear();
+  d.unseen_after.reset();
+  d.gap.after.reset();
+  d.gap.held_out_after.reset();
 }
 
 void withhold(Diagnosis& d, DiagnosisVerdict weaker, const std::string& why) {

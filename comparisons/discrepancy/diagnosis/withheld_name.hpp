@@ -13,6 +13,9 @@ DiagnosisVerdict without_name(const Diagnosis& diagnosis);
 /// A weaker verdict, and why; the repair of a formula that contradicts its own restitution stays.
 void withhold(Diagnosis& diagnosis, DiagnosisVerdict weaker, const std::string& why);
 
+/// Nothing of what a search has found stands: the believed model is the best there is.
+void drop_candidates(Diagnosis& diagnosis);
+
 /// What the speed that was kept from every fit says of a verdict that names something, once it
 /// has been predicted before and after.
 ///

@@ -50,8 +50,7 @@ void search_in_fem(Diagnosis& d, const DiagnosisRequest& request, const Observat
   };
   const std::vector<std::string> effects = absent_effects(request.believed_effects);
   const auto assess = [&](const Hypothesis& believed) {
-    return judge_believed(*d.seen, fit_believed(*d.seen, believed, control), effects, request.rules,
-                          request.seed);
+    return assess_believed(*d.seen, believed, request.rules, request.seed, control);
   };
   const Observations seen = *d.seen, unseen = *d.unseen;
   SettledFem fem =

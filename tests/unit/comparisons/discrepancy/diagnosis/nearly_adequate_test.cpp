@@ -16,36 +16,7 @@ AssessedFit fit_of(const std::vector<std::string>& effects, double criterion) {
   return one;
 }
 
-/// The candidates when a nearly adequate curve stands beside an adequate pair.
-Members candidates_beside(double curve, double pair) {
-  std::vector<AssessedFit> tried{fit_of({"unloading-curve"}, curve),
-                                 fit_of({"hysteresis", "clipping"}, pair)};
-  tried[0].nearly_adequate = true;
-  tried[1].adequate = true;
-  Members members{1};
-  prefer_nearly_adequate(tried, 0, 6.0, members);
-  return members;
-}
-
-TEST(NearlyAdequateTest, ACurveGoesBeforeASetThatFitsPlainlyWorse) {
-  EXPECT_EQ(candidates_beside(1000.0, 1110.0), (Members{0}));
-}
-
-TEST(NearlyAdequateTest, ASetWithinReachStaysTheCandidate) {
-  EXPECT_EQ(candidates_beside(1000.0, 1005.0), (Members{1}));
-}
-
-TEST(NearlyAdequateTest, SoDoesAFormula) {
-  std::vector<AssessedFit> tried{fit_of({"sensor-lag"}, 1000.0),
-                                 fit_of({"linear-dashpot"}, 1033.0)};
-  tried[0].nearly_adequate = true;
-  tried[1].adequate = true;
-  Members members{1};
-  prefer_nearly_adequate(tried, 0, 6.0, members);
-  EXPECT_EQ(members, (Members{0}));
-}
-
-/// The candidates when a nearly adequate formula leads adequate ones by so much.
+/// The candidates when a nearly adequate single effect leads adequate ones by so much.
 Members candidates_behind(const std::string& leader, const std::vector<std::string>& other,
                           double behind) {
   std::vector<AssessedFit> tried{fit_of({leader}, 1000.0), fit_of(other, 1000.0 + behind)};
@@ -54,6 +25,18 @@ Members candidates_behind(const std::string& leader, const std::vector<std::stri
   Members members{1};
   prefer_nearly_adequate(tried, 0, 6.0, members);
   return members;
+}
+
+TEST(NearlyAdequateTest, ACurveGoesBeforeASetThatFitsPlainlyWorse) {
+  EXPECT_EQ(candidates_behind("unloading-curve", {"hysteresis", "clipping"}, 110.0), (Members{0}));
+}
+
+TEST(NearlyAdequateTest, ASetWithinReachStaysTheCandidate) {
+  EXPECT_EQ(candidates_behind("unloading-curve", {"hysteresis", "clipping"}, 5.0), (Members{1}));
+}
+
+TEST(NearlyAdequateTest, SoDoesAFormula) {
+  EXPECT_EQ(candidates_behind("sensor-lag", {"linear-dashpot"}, 33.0), (Members{0}));
 }
 
 TEST(NearlyAdequateTest, AFormulaThatLeadsStandsBesideASingleWithinReach) {
