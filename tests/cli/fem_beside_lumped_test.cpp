@@ -56,6 +56,7 @@ class BesideFem : public DiagnosedExperiment {
   nlohmann::json beside_lumped(const std::string& model, const std::string& noise = "15 N") {
     return diagnosis_of(experiment_of(model, noise), lumped);
   }
+  std::string page() const { return read_whole(folder.path() / "diagnosis/report.html"); }
 };
 
 /// Materials that no part of the diagnosis knows: another Poisson ratio, another elastic law, two
@@ -88,6 +89,12 @@ TEST_F(BesideFem, APlateUnderABallOfFemIsSupported) {
   ASSERT_FALSE(found["effects"].empty());
   EXPECT_EQ(found["effects"][0]["name"], "plate-compliance");
   EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "supported");
+  ASSERT_FALSE(found["in_fem"].empty());
+  EXPECT_EQ(found["in_fem"][0]["tiers"], found["effects"][0]["tiers"]);
+  EXPECT_LT(found["in_fem"][0]["lumped_gap_after"], found["in_fem"][0]["lumped_gap_before"]);
+  EXPECT_LT(found["in_fem"][0]["held_out_after"], found["in_fem"][0]["held_out_before"]);
+  EXPECT_TRUE(found["fem_with_nothing_hidden"].is_null()) << "something lumped explains the data";
+  EXPECT_NE(page().find("FE was asked of plate-compliance and supports it"), std::string::npos);
 }
 
 /// Mullins' softening is a curve of the largest strain of each point, which no lumped form has.
@@ -103,7 +110,13 @@ TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : found["in_fem"][0].items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"family", "gap_after", "gap_before", "held_out_after",
-                                            "held_out_before", "name", "size", "unit"}));
+                                            "held_out_before", "lumped_gap_after",
+                                            "lumped_gap_before", "name", "size", "tiers", "unit"}));
+  EXPECT_EQ(found["in_fem"][0]["tiers"]["lumped"], "rejected") << "its lumped form was tried";
+  EXPECT_EQ(found["in_fem"][0]["tiers"]["fem"], "supported");
+  EXPECT_EQ(found["fem_with_nothing_hidden"]["gap"], found["in_fem"][0]["gap_before"]);
+  EXPECT_NE(page().find("FE was asked, since nothing lumped explains the data"), std::string::npos);
+  EXPECT_NE(page().find("The tiers differ: its lumped form"), std::string::npos);
   EXPECT_EQ(found["in_fem"][0]["name"], "hysteresis");
   EXPECT_LT(found["in_fem"][0]["gap_after"].get<double>(), 1.5);
   EXPECT_GT(found["in_fem"][0]["gap_before"].get<double>(), 2.0);

@@ -83,9 +83,10 @@ def printed_keys(value, found, path=""):
 
 # Keys that need data which take minutes to diagnose, or a run of all verifications.
 RARE = {
-    "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above", ".in_fem"),
+    "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above", ".in_fem", ".fem_with_nothing_hidden"),
     "inspect": (".contradictions",),
     "verify": (".seeded_faults",),
+    "trials": (".in_fem.",),
     "study": (".experiments", ".cores[].simulation.effects[].parameters[]"),
 }
 

@@ -44,12 +44,17 @@ struct Gap {
   double held_out_noise = 0.0;  ///< its deviation at the unseen speed when nothing is missing
 };
 
-/// One effect in FE, where nothing lumped explains the data and FE comes near to them.
+/// One effect that FE was asked of: a name that the lumped tier has earned, or one that was tried
+/// where nothing lumped explains the data and FE comes near to them.
 struct EffectInFem {
-  EffectChoice effect;  ///< with fitted numbers, of the first ball
+  EffectChoice effect;  ///< with the numbers that FE has found, of the first ball
   EffectFamily family = EffectFamily::none;
   double information_criterion = 0.0;
   Gap gap;  ///< of FE without the effect, and with it
+  /// Reduced whitened χ² of the lumped model without the effect, and with it; absent where that
+  /// was not fitted.
+  std::optional<double> lumped_before, lumped_after;
+  std::string lumped = "not-run", fem = "not-run";  ///< as those of NamedEffect
 };
 
 struct DiagnosisRequest {
@@ -86,7 +91,9 @@ struct Diagnosis {
   std::vector<FactorBand> curves;  ///< of a family that has no formula here
   /// Of that family: formulas that come nearest, with the share of the gap each explains.
   std::vector<ExplainedShare> nearest;
-  std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was not asked for effects
+  std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was asked of no effect
+  /// Of FE with nothing hidden, where nothing lumped explains the data; `before` alone.
+  std::optional<Gap> fem_with_nothing_hidden;
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;

@@ -81,10 +81,19 @@ Json in_fem_json(const EffectInFem& one) {
           {"size", one.effect.size},
           {"unit", or_one(size_unit(find_effect(one.effect.name).card))},
           {"family", name_of(one.family)},
+          {"tiers", {{"lumped", one.lumped}, {"fem", one.fem}}},
+          {"lumped_gap_before", number_or_null(one.lumped_before)},
+          {"lumped_gap_after", number_or_null(one.lumped_after)},
           {"gap_before", number_or_null(one.gap.before)},
           {"gap_after", number_or_null(one.gap.after)},
           {"held_out_before", number_or_null(one.gap.held_out_before)},
           {"held_out_after", number_or_null(one.gap.held_out_after)}};
+}
+
+Json nothing_hidden_json(const Diagnosis& d) {
+  if (!d.fem_with_nothing_hidden) return nullptr;
+  return {{"gap", number_or_null(d.fem_with_nothing_hidden->before)},
+          {"held_out", number_or_null(d.fem_with_nothing_hidden->held_out_before)}};
 }
 
 Json next_json(const NextExperiment& one) {
@@ -196,6 +205,7 @@ Json to_json(const Diagnosis& d) {
       {"curves", curves},
       {"nearest_formulas", list_of(d.nearest, nearest_json)},
       {"in_fem", list_of(d.in_fem, in_fem_json)},
+      {"fem_with_nothing_hidden", nothing_hidden_json(d)},
       {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
       {"missing_force", missing_force_json(d)},
       {"contradictions", list_of(d.contradictions, check_json)},

@@ -9,6 +9,7 @@
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_tables.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+#include "comparisons/discrepancy/diagnosis/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/shot_pictures.hpp"
 #include "comparisons/io/results/key_words.hpp"
@@ -126,6 +127,9 @@ report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
   for (const NamedEffect& one : d.effects)
     page.lead.push_back(report::Paragraph{effect_sentence(d, one)});
   if (d.seen) page.lead.push_back(report::Paragraph{gap_sentence(d)});
+  if (const std::string text = fem_sentence(d); !text.empty())
+    page.lead.push_back(report::Paragraph{text});
+  if (!d.in_fem.empty()) page.lead.push_back(tiers_table(d));
   if (d.gap.before)
     if (report::Figure gaps = gap_figure(d); !gaps.series.empty())
       page.lead.push_back(std::move(gaps));

@@ -174,8 +174,8 @@ std::string to_text(const Diagnosis& d) {
                         one.effects.front(), 100.0 * one.share);
   for (const EffectInFem& one : d.in_fem) {
     if (&one - d.in_fem.data() >= 3) break;
-    text += fmt::format("in FE     {} {}: {} -> {}, unseen {} -> {}\n", one.effect.name,
-                        size_text(find_effect(one.effect.name).card, one.effect.size),
+    text += fmt::format("in FE     {} {}, {}: {} -> {}, unseen {} -> {}\n", one.effect.name,
+                        size_text(find_effect(one.effect.name).card, one.effect.size), one.fem,
                         text_of(one.gap.before), text_of(one.gap.after),
                         text_of(one.gap.held_out_before), text_of(one.gap.held_out_after));
   }

@@ -34,18 +34,6 @@ EffectChoice start_of(const EffectCard& card, double contact_time) {
   return start;
 }
 
-EffectInFem explained(const FemOfBalls& balls, const FemOfAllBalls& without,
-                      const FemOfAllBalls& with) {
-  EffectInFem one{.effect = with.balls.front().effects.front(),
-                  .information_criterion = with.information_criterion(),
-                  .gap = {.before = without.reduced_chi_square(),
-                          .after = with.reduced_chi_square(),
-                          .held_out_before = balls.unseen(without),
-                          .held_out_after = balls.unseen(with)}};
-  one.family = find_effect(one.effect.name).card.family;
-  return one;
-}
-
 /// Has half of the excess over the noise gone?
 bool is_worth_having(double before, double after) {
   return before > 1.0 && before - std::max(1.0, after) >= half * (before - 1.0);
@@ -56,6 +44,16 @@ bool explains(const EffectInFem& one, const FemOfAllBalls& without, const Select
   return without.information_criterion() - one.information_criterion >= rules.close_criterion &&
          is_worth_having(*gap.before, *gap.after) && *gap.after <= left_by_fem &&
          (!gap.held_out_before || is_worth_having(*gap.held_out_before, *gap.held_out_after));
+}
+
+/// What both tiers say of an effect where nothing lumped explains the data.
+EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
+                          const SelectionRules& rules) {
+  one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+  one.fem = explains(one, without, rules)   ? "supported"
+            : *one.gap.after <= left_by_fem ? "rejected"
+                                            : "no-fit";
+  return one;
 }
 
 /// FE with nothing hidden leaves what noise and its own errors do: nothing is missing from the
@@ -78,10 +76,10 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
 }
 
 /// What comes within reach of the best and explains the data is all of one family: that is theirs.
-void conclude_from_fem(Diagnosis& d, const FemOfAllBalls& without, const SelectionRules& rules) {
+void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
   std::vector<const EffectInFem*> candidates;
   for (const EffectInFem& one : d.in_fem)
-    if (explains(one, without, rules) &&
+    if (one.fem == "supported" &&
         one.information_criterion <= d.in_fem.front().information_criterion + rules.close_criterion)
       candidates.push_back(&one);
   if (candidates.empty() || candidates.front() != &d.in_fem.front()) return;
@@ -106,11 +104,13 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
                              const RunControl& control) try {
   const FemOfBalls balls(d, all, control);
   const FemOfAllBalls without = balls.fit({});
+  const std::optional<double> unseen = balls.unseen(without);
+  d.fem_with_nothing_hidden =
+      Gap{.before = without.reduced_chi_square(), .held_out_before = unseen};
   const bool is_near = d.model_discrepancy != nullptr ||
                        without.chi_square <= half * d.selection.baseline.fit.chi_square;
   if (!is_near) return;
-  if (const auto unseen = balls.unseen(without); is_the_noise(without, unseen))
-    return let_fem_stand(d, without, unseen);
+  if (is_the_noise(without, unseen)) return let_fem_stand(d, without, unseen);
   const double contact_time =
       d.selection.baseline.fit.model->impact(d.selection.baseline.fit.values, 0)
           .scalars.contact_time;
@@ -121,11 +121,11 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
                                             [&](std::size_t k) { return balls.fit({starts[k]}); });
   for (const auto& with : fits)
     if (with && with->chi_square < without.chi_square)
-      d.in_fem.push_back(explained(balls, without, *with));
+      d.in_fem.push_back(with_verdicts(compare_tiers(d, balls, without, *with, 0), without, rules));
   std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
     return a.information_criterion < b.information_criterion;
   });
-  conclude_from_fem(d, without, rules);
+  conclude_from_fem(d, rules);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
   d.warnings.push_back(fmt::format("FE could not be asked for effects: {}", error.what()));

@@ -1,11 +1,28 @@
 #include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
 
 #include <cmath>
+#include <set>
 
 #include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
 
 namespace rebound {
+namespace {
+
+/// Reduced whitened χ² of the lumped model with these effects beside what its search began with.
+std::optional<double> left_by_lumped(const Diagnosis& d, const std::set<std::string>& added) {
+  const HypothesisFit& baseline = d.selection.baseline.fit;
+  if (added.empty()) return baseline.reduced_chi_square();
+  for (const AssessedFit& one : d.selection.tried) {
+    std::set<std::string> names;
+    for (std::size_t k = baseline.effects.size(); k < one.fit.effects.size(); ++k)
+      names.insert(one.fit.effects[k].name);
+    if (names == added) return one.fit.reduced_chi_square();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 double FemOfAllBalls::information_criterion() const {
   return chi_square + effect_unknowns * std::log(static_cast<double>(samples));
@@ -46,6 +63,24 @@ std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
   }
   if (samples == 0.0) return std::nullopt;
   return chi_square / samples;
+}
+
+EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
+                          const FemOfAllBalls& with, std::size_t k) {
+  const std::vector<EffectChoice>& effects = with.balls.front().effects;
+  EffectInFem one{.effect = effects[k],
+                  .information_criterion = with.information_criterion(),
+                  .gap = {.before = without.reduced_chi_square(),
+                          .after = with.reduced_chi_square(),
+                          .held_out_before = balls.unseen(without),
+                          .held_out_after = balls.unseen(with)}};
+  one.family = find_effect(one.effect.name).card.family;
+  std::set<std::string> names;
+  for (const EffectChoice& effect : effects) names.insert(effect.name);
+  one.lumped_after = left_by_lumped(d, names);
+  names.erase(one.effect.name);
+  one.lumped_before = left_by_lumped(d, names);
+  return one;
 }
 
 }  // namespace rebound

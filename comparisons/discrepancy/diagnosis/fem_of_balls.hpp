@@ -47,4 +47,10 @@ class FemOfBalls {
   Observations seen_, unseen_;
 };
 
+/// What both tiers leave over without effect k of `with`, and with it; their verdicts stay open.
+///
+///   without   fitted without that effect, and with all others of `with`
+EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
+                          const FemOfAllBalls& with, std::size_t k);
+
 }  // namespace rebound

@@ -81,6 +81,9 @@ void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRule
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
     const FemOfAllBalls without = fit_with(balls, others, *d.seen);
     asked[k]->fem = tier_verdict(without, with, rules);
+    d.in_fem.push_back(compare_tiers(d, balls, without, with, k));
+    d.in_fem.back().lumped = asked[k]->lumped;
+    d.in_fem.back().fem = asked[k]->fem;
     if (asked[k]->fem == "rejected" && denied.empty())
       denied = fmt::format(
           "{} depends on the tier: the lumped model needs it, and FE follows the same histories "
