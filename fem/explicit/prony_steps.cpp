@@ -59,9 +59,10 @@ void PronySteps::advance(double next) {
     BranchFlow& flow = steps_[i].flow;
     flow.before = flow.next;
     flow.decay_before = flow.decay_next;
-    if (same) continue;
     const double x = next / branches_[i].relaxation_time;
     flow.next = 0.5 * x;
+    flow.least_exponent = least_flowing_exponent(flow);
+    if (same) continue;
     flow.decay_next = std::exp(-0.5 * x);
     steps_[i].decay_next = std::exp(-x);
     steps_[i].gain_next = -std::expm1(-x) / x;

@@ -8,6 +8,11 @@ using std::exp;
 using std::log;
 using std::sqrt;
 
+/// Is `x` above `bound`? Of a vector: in any lane.
+inline bool any_above(double x, double bound) {
+  return x > bound;
+}
+
 /// Symmetric tensor of an axisymmetric state without torsion.
 /// T is `double` or a vector of doubles over cells.
 template <class T>

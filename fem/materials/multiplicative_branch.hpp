@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "fem/interface/moduli.hpp"
 #include "fem/materials/principal_stretches.hpp"
 
@@ -31,13 +34,20 @@ namespace rebound::fem {
 /// Source:  Reese & Govindjee 1998 (split, flow rule, update by logarithms);
 ///          Hencky energy as in Simo 1992.
 struct BranchFlow {
-  double before = 0.0;            ///< Δt/2τ of the step that led here [-]
-  double next = 0.0;              ///< Δt/2τ of the step that follows [-]
-  double decay_before = 1.0;      ///< e^(−before)
-  double decay_next = 1.0;        ///< e^(−next)
-  double power = 0.0;             ///< 1/m − 1; 0 Newtonian
+  double before = 0.0;        ///< Δt/2τ of the step that led here [-]
+  double next = 0.0;          ///< Δt/2τ of the step that follows [-]
+  double decay_before = 1.0;  ///< e^(−before)
+  double decay_next = 1.0;    ///< e^(−next)
+  double power = 0.0;         ///< 1/m − 1; 0 Newtonian
+  /// ln of the (q/q₀)^p below which nothing flows over both: least_flowing_exponent().
+  double least_exponent = -std::numeric_limits<double>::infinity();
   double reference_strain = 1.0;  ///< q₀
 };
+
+/// Below it |p| x (q/q₀)^p does not reach 2⁻⁵⁴, and 1 + p x (q/q₀)^p is 1.
+inline double least_flowing_exponent(const BranchFlow& flow) {
+  return std::log(0x1p-54 / (std::abs(flow.power) * (flow.before + flow.next)));
+}
 
 /// Logarithm of a symmetric positive tensor: mean of the plane, its traceless
 /// part N, and the hoop.
@@ -67,21 +77,34 @@ inline Logarithm<T> logarithm_of(const Symmetric<T>& b) {
   return l;
 }
 
-/// Share of the elastic strain that is left after a flow over x = Δt/τ.
+/// Shares of the elastic strain that a flow leaves: after the first half step, after both.
+template <class T>
+struct SharesLeft {
+  T first, both;
+  bool all = false;  ///< nothing flows that a double could tell from 1, in no lane
+};
+
+/// Flow over x = Δt/τ at frozen F, first half and both halves by one power.
 ///
 ///   q' = q [1 + p x (q/q₀)^p]^(−1/p),   p = 1/m − 1
+///
+/// Limit: x = 0 leaves 1; below |p| x (q/q₀)^p = 2⁻⁵⁴ the bracket is 1 to the last bit
+///        -> test MultiplicativeBranch.BelowItsYieldNothingFlows
 template <class T>
-inline T share_left(const T& q_squared, double x, const BranchFlow& flow) {
-  const double p = flow.power;
-  const T ratio =
-      0.5 * log(T((q_squared + 1e-60) * (1.0 / (flow.reference_strain * flow.reference_strain))));
-  const T exponent = p * ratio;
-  const T most = 0.0 * exponent + 300.0;
-  const T kept = exponent < 300.0 ? exponent : most;
-  const T base = 1.0 + p * x * exp(kept);
-  const T least = 0.0 * base + 1e-30;
-  const T positive = base > 1e-30 ? base : least;
-  return exp(T((-1.0 / p) * log(positive)));
+inline SharesLeft<T> shares_left(const T& q_squared, const BranchFlow& flow) {
+  const double p = flow.power, x = flow.before + flow.next;
+  const T one = 0.0 * q_squared + 1.0;
+  const T exponent =
+      (0.5 * p) *
+      log(T((q_squared + 1e-60) * (1.0 / (flow.reference_strain * flow.reference_strain))));
+  if (!any_above(exponent, flow.least_exponent)) return {one, one, true};
+  const T most = 0.0 * exponent + 300.0, least = 0.0 * exponent - 690.0;
+  const T rate = p * exp(larger_of(T(exponent < 300.0 ? exponent : most), least));
+  const auto left = [&](double over) {
+    const T base = 1.0 + over * rate;
+    return exp(T((-1.0 / p) * log(larger_of(base, T(0.0 * base + 1e-30)))));
+  };
+  return {left(flow.before), left(x)};
 }
 
 template <class T>
@@ -155,11 +178,10 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
   const bool all = moduli.bulk > 0.0;
   const T volume = all ? T(0.5 * moduli.bulk / moduli.shear * 9.0 * third * third) : T(0.0 * third);
   const T q_squared = (2.0 / 3.0) * (deviator + volume);
-  T left = 0.0 * third + flow.decay_before, after = 0.0 * third + flow.decay_next;
-  if (flow.power != 0.0) {  // of the branch, not of a point
-    left = share_left(q_squared, flow.before, flow);
-    after = share_left(T(q_squared * left * left), flow.next, flow);
-  }
+  SharesLeft<T> shares{0.0 * third + flow.decay_before,
+                       0.0 * third + flow.decay_before * flow.decay_next};
+  if (flow.power != 0.0) shares = shares_left(q_squared, flow);  // of the branch, not of a point
+  const T left = shares.first, both = shares.both;
   BranchPoint<T> point;
   point.growth = branch_growth(l, b, v, moduli);
   const T twice = 2.0 * moduli.shear * left;
@@ -170,8 +192,11 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
   const T at_start = moduli.shear * (deviator + volume);
   point.energy = at_start * left * left;
   point.dissipated_before = at_start * (1.0 - left * left);
-  const T both = left * after;
   point.dissipated = at_start * (1.0 - both * both);
+  if (shares.all) {
+    point.inverse_viscous = inverse_viscous;
+    return point;
+  }
   // b after both halves: exp(2ε'), the volume kept where only the deviator flows.
   const T mean = all ? T(both * third) : third;
   const T scale = exp(T(2.0 * (both * plane + mean)));

@@ -81,9 +81,9 @@ inline FactorAt<T> factor_at(const StrainFactor& k, const T& w, const T& largest
   const T positive = w > 0.0 ? w : floor;
   at.strain = sqrt(T((2.0 / k.youngs_modulus) * positive + 1e-40));
   at.largest_strain = at.strain > largest_before ? at.strain : largest_before;
-  const T fade = exp(T(-softening_rate * at.strain));
   const T over = at.strain > densification_strain ? T(at.strain - densification_strain) : floor;
-  T g = 1.0 + k.stiffening * at.strain - k.softening * (1.0 - fade) + k.densification * over * over;
+  T g = 1.0 + k.stiffening * at.strain + k.densification * over * over;
+  if (k.softening != 0.0) g = g - k.softening * (1.0 - exp(T(-softening_rate * at.strain)));
   T curve_slope = floor;
   if (k.curve.act) {
     g = g + value_of(k.curve, at.strain);
