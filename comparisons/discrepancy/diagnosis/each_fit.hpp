@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "comparisons/models/parallel/in_parallel.hpp"
@@ -28,6 +30,17 @@ std::vector<std::optional<Fit>> fit_each(std::size_t count, const RunControl& co
     }
   });
   return fits;
+}
+
+/// What `ask` says of these numbers, asked once. Where it throws nothing is kept, and the next call
+/// asks again: a search may come back to numbers at which a ball does not rebound.
+/// Limit: an error is no answer -> test EachFitTest.AnErrorIsNotKept.
+template <class Answer, class Ask>
+const Answer& kept_answer(std::map<std::vector<double>, Answer>& kept, std::vector<double> numbers,
+                          const Ask& ask) {
+  auto place = kept.find(numbers);
+  if (place == kept.end()) place = kept.emplace(std::move(numbers), ask()).first;
+  return place->second;
 }
 
 }  // namespace rebound

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/record_of_impact.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/nuisances.hpp"
@@ -183,10 +184,10 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   // A start or a scale moves no impact.
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
   calibration.residuals = [&](const std::vector<double>& x) {
-    const auto [place, added] =
-        done.try_emplace(std::vector<double>(x.begin(), x.begin() + physics));
-    if (added) place->second = run_shots(seen, shots, fem, material_at(x), of_effects.at(x));
-    return records.residuals(x, place->second);
+    const auto& impacts = kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
+      return run_shots(seen, shots, fem, material_at(x), of_effects.at(x));
+    });
+    return records.residuals(x, impacts);
   };
   calibration.noise = NoiseKnowledge::known;
   calibration.controls = controls_in_fem();
