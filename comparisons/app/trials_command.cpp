@@ -11,6 +11,7 @@
 #include "comparisons/discrepancy/trials/trial_table.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
+#include "comparisons/models/fem_access/module_loader.hpp"
 #include "lumped/problem/atomic_file.hpp"
 
 namespace rebound {
@@ -21,6 +22,7 @@ struct TrialsOptions {
   std::string table, from_table;
   std::uint64_t seed = 1;
   std::size_t count = 0;
+  bool ask_fem = false;
   bool mixed = false;
   bool fail_on_miss = false;
 };
@@ -43,7 +45,10 @@ std::string trials_help() {
          "and a random answer.\n\n"
          "  build/trial_generator --out blind --count 100 --seed 7\n"
          "  build/rebound trials blind --table blind.csv\n"
-         "  build/rebound trials --from-table blind.csv --out page\n\n" +
+         "  build/rebound trials --from-table blind.csv --out page\n\n"
+         "Balls in finite elements are scored by themselves:\n\n"
+         "  build/trial_generator --out bodies --count 20 --seed 7 --fem build/rebound\n"
+         "  build/rebound trials bodies --ask-fem\n\n" +
          exit_code_help();
 }
 
@@ -54,6 +59,9 @@ void check_options(const TrialsOptions& options) {
   if (!options.from_table.empty() && !options.table.empty())
     throw Error(ExitCode::bad_input, "would write the table that it reads",
                 {.key = "--table", .value = options.table, .allowed = "without --from-table"});
+  if (options.ask_fem && !has_fem_tier())
+    throw Error(ExitCode::bad_input, "needs the FE tier, which was not built",
+                {.key = "--ask-fem", .allowed = "a build with -DREBOUND_FEM=ON"});
 }
 
 /// Where scores are written; empty: nowhere.
@@ -64,7 +72,8 @@ std::filesystem::path scores_folder(const Session& session, const TrialsOptions&
 }
 
 TrialRun run_of(const Session& session, const TrialsOptions& options) {
-  TrialRun run{.folders = {}, .seed = options.seed, .mixed = options.mixed};
+  TrialRun run{
+      .folders = {}, .seed = options.seed, .ask_fem = options.ask_fem, .mixed = options.mixed};
   if (options.count > 0) run.most = options.count;
   for (const std::string& folder : options.folders) {
     const bool alone = options.folders.size() == 1 && !session.out.empty();
@@ -108,9 +117,12 @@ ExitCode write_scores(const Session& session, const TrialsOptions& options,
     print_text(to_text(scores));
     if (!out.empty()) fmt::print("\nreport    {}\n", (out / "report.html").string());
   }
-  const bool missed =
-      std::any_of(scores.gates.begin(), scores.gates.end(),
-                  [](const TrialGate& gate) { return gate.is_asked() && !gate.passes(); });
+  const auto misses = [](const TrialScores& of) {
+    return std::any_of(of.gates.begin(), of.gates.end(),
+                       [](const TrialGate& gate) { return gate.is_asked() && !gate.passes(); });
+  };
+  const bool only_in_fem = scores.in_fem && scores.trials == 0;
+  const bool missed = (!only_in_fem && misses(scores)) || (scores.in_fem && misses(*scores.in_fem));
   return options.fail_on_miss && missed ? ExitCode::comparison_failed : ExitCode::done;
 }
 
@@ -141,6 +153,9 @@ Action declare_trials(CLI::App& command) {
                   "Diagnose at most so many now; the same command goes on with the rest")
       ->check(CLI::Range(1, 1'000'000));
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
+  command.add_flag("--ask-fem", options->ask_fem,
+                   "Let a diagnosis ask FE, for balls in finite elements (trial_generator --fem); "
+                   "a part of the protocol");
   command.add_flag("--mixed", options->mixed,
                    "Take outcomes of several thresholds or programs together, and say so");
   command.add_flag("--fail-on-miss", options->fail_on_miss, "Exit 1 when a gate is missed");

@@ -23,6 +23,7 @@ struct TableField {
   std::function<std::string(const TrialRecord&)> write;
   std::function<void(const std::string&, TrialRecord&)> read;
   bool is_number = false;
+  bool may_be_absent = false;  ///< in tables that were written before there was such a column
 };
 
 /// All of them, in their order: truth, then outcome, then controls.

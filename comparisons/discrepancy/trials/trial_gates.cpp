@@ -46,4 +46,23 @@ std::vector<TrialGate> gates_of(const TrialCounts& c) {
       {.what = "two effects: nothing false named", .share = c.pairs_not_false, .least = 0.90}};
 }
 
+std::vector<TrialGate> gates_in_fem_of(const TrialCounts& c) {
+  return {{.what = "false alarms on nulls", .share = c.false_alarm, .most = 0.05},
+          {.what = "false alarms on nulls, noise misstated by 2",
+           .share = c.false_alarm_misstated,
+           .most = 0.10},
+          {.what = "effects that show: a gap is said", .share = c.detected},
+          {.what = "family right", .share = c.family_right, .least = 0.85},
+          {.what = "family right, of those that say one", .share = c.family_right_where_said},
+          {.what = "wrong family", .share = c.wrong_family},
+          {.what = "abstained from a family", .share = c.abstained},
+          {.what = "name right or in the set", .share = c.name_right},
+          {.what = "name right, in the set, or a nearest formula", .share = c.name_or_nearest},
+          {.what = "single name right, of those that say one",
+           .share = c.single_name_right,
+           .least = 0.85},
+          {.what = "confidently wrong name", .share = c.wrong_name, .most = 0.03},
+          {.what = "four fifths of the gap gone at the unseen speed", .share = c.unseen_better}};
+}
+
 }  // namespace rebound

@@ -25,11 +25,15 @@ struct TrialCounts {
   Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
       wrong_family, abstained, name_right, name_or_nearest, wrong_name;
   Share separable_family_right, separable_name_right;
+  Share single_name_right;  ///< of those that say one
   Share out_of_family_said, visibly_out_of_family_said, out_of_family_named, unseen_better,
       coverage, pairs_both, visible_pairs_both, pairs_not_false;
 };
 
 /// The shares against what is asked of them, in the order in which they are read.
 std::vector<TrialGate> gates_of(const TrialCounts& counts);
+
+/// Those of balls in finite elements, single effects alone.
+std::vector<TrialGate> gates_in_fem_of(const TrialCounts& counts);
 
 }  // namespace rebound

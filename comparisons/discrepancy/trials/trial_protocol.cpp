@@ -23,11 +23,12 @@ Json rules_json(const SelectionRules& rules) {
 
 }  // namespace
 
-TrialProtocol protocol_of_this_program(std::uint64_t seed) {
+TrialProtocol protocol_of_this_program(std::uint64_t seed, bool ask_fem) {
   return {.version = to_json(Provenance{}).at("version"),
           .program_sha256 = sha256(bytes_of("/proc/self/exe")),
           .rules = {},
-          .seed = seed};
+          .seed = seed,
+          .ask_fem = ask_fem};
 }
 
 Json to_json(const TrialProtocol& protocol) {
@@ -37,7 +38,8 @@ Json to_json(const TrialProtocol& protocol) {
           {"program_sha256", protocol.program_sha256},
           {"rules", rules},
           {"rules_sha256", sha256(dump(rules))},
-          {"seed", protocol.seed}};
+          {"seed", protocol.seed},
+          {"ask_fem", protocol.ask_fem}};
 }
 
 std::string protocol_digest(const Json& protocol) {
@@ -49,9 +51,10 @@ std::string describe_protocol(const Json& protocol) {
   const auto start = [&](const char* key) {
     return protocol.at(key).get<std::string>().substr(0, shown);
   };
-  return fmt::format("version {}, thresholds {}, program {}, seed {}",
+  return fmt::format("version {}, thresholds {}, program {}, seed {}{}",
                      protocol.at("version").get<std::string>(), start("rules_sha256"),
-                     start("program_sha256"), protocol.at("seed").get<std::uint64_t>());
+                     start("program_sha256"), protocol.at("seed").get<std::uint64_t>(),
+                     protocol.value("ask_fem", false) ? ", FE asked" : "");
 }
 
 }  // namespace rebound

@@ -16,11 +16,12 @@ struct TrialProtocol {
   std::string program_sha256;  ///< of its file: any change of the search is another protocol
   SelectionRules rules;
   std::uint64_t seed = 1;  ///< of the draws behind the thresholds
+  bool ask_fem = false;    ///< may a diagnosis ask FE?
 };
 
 /// That of this program as it runs, with the thresholds of a diagnosis.
 /// Errors: Error(input_output_failed) where the program's file cannot be read.
-TrialProtocol protocol_of_this_program(std::uint64_t seed);
+TrialProtocol protocol_of_this_program(std::uint64_t seed, bool ask_fem = false);
 
 /// With "rules_sha256", of the thresholds alone.
 Json to_json(const TrialProtocol& protocol);

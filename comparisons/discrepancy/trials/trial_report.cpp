@@ -115,6 +115,18 @@ report::Section protocol_section(const TrialScores& scores) {
   return section;
 }
 
+/// Balls in finite elements, beside those of a law.
+report::Section fem_section(const TrialScores& scores) {
+  report::Section section{.title = "Balls in finite elements", .blocks = {gate_table(scores)}};
+  if (!scores.false_alarms_by_ball.empty())
+    section.blocks.push_back(share_table("By material", "Nulls for which a gap was said.",
+                                         "what the ball is made of", scores.false_alarms_by_ball));
+  if (!scores.confusion.empty())
+    section.blocks.push_back(confusion_matrix(scores.confusion, "By family, in finite elements",
+                                              "hidden family", "what was said"));
+  return section;
+}
+
 std::string subtitle_of(const TrialScores& scores) {
   std::string origins;
   for (const auto& [origin, count] : scores.origins)
@@ -139,6 +151,11 @@ std::string headline_of(const TrialScores& scores) {
 }  // namespace
 
 report::Report trial_report(const TrialScores& scores) {
+  if (scores.in_fem && scores.trials == 0) {
+    report::Report page = trial_report(*scores.in_fem);
+    page.title = "Blind trials of the diagnosis: balls in finite elements";
+    return page;
+  }
   report::Report page{.title = "Blind trials of the diagnosis",
                       .subtitle = subtitle_of(scores),
                       .headline = headline_of(scores),
@@ -150,6 +167,11 @@ report::Report trial_report(const TrialScores& scores) {
                                         "not one error rate.",
                                         scores.protocols.size())});
   page.sections.push_back({.title = "Scores", .blocks = {gate_table(scores)}});
+  if (!scores.false_alarms_by_ball.empty())
+    page.sections.back().blocks.push_back(
+        share_table("By material", "Nulls for which a gap was said.", "what the ball is made of",
+                    scores.false_alarms_by_ball));
+  if (scores.in_fem) page.sections.push_back(fem_section(*scores.in_fem));
   report::Section power{.title = "Power", .blocks = {}};
   for (const RateTable& rates : scores.rates)
     if (rates.by == "visible_chi_square" && !rates.rows.empty()) {

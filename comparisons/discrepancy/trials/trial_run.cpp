@@ -52,7 +52,7 @@ DiagnosisRequest request_of(const std::filesystem::path& trial, const TrialProto
       read_believed_model(Document::load((trial / "model.toml").string()), request.datasets);
   request.believed = believed.model;
   request.believed_effects = believed.effects;
-  request.ask_fem = false;  // nothing of these trials comes from a body of finite size
+  request.ask_fem = protocol.ask_fem;
   request.rules = protocol.rules;
   request.seed = protocol.seed;
   return request;
@@ -171,7 +171,7 @@ TrialProgress run_trials(const TrialRun& run, const RunControl& control) {
   const std::size_t trials = places.done.size() + pending.size();
   if (run.most && *run.most < pending.size())
     pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(*run.most), pending.end());
-  const TrialProtocol protocol = protocol_of_this_program(run.seed);
+  const TrialProtocol protocol = protocol_of_this_program(run.seed, run.ask_fem);
   if (!pending.empty()) places.protocols[protocol_digest(to_json(protocol))] = to_json(protocol);
   refuse_mixed(places.protocols, run);
   std::set<TrialStore*> written;

@@ -34,6 +34,7 @@ struct TrialRun {
   std::vector<TrialFolder> folders;
   std::uint64_t seed = 1;
   std::optional<std::size_t> most{};  ///< diagnoses in this run; the rest stays for the next
+  bool ask_fem = false;               ///< for balls in finite elements; it takes seconds a trial
   bool mixed = false;  ///< outcomes of more than one protocol are taken together, and it is said
 };
 

@@ -61,6 +61,7 @@ void count_single(const TrialEffect& truth, const TrialAnswer& said, TrialCounts
                                                   truth.registry_name) != said.nearest.end());
   }
   counts.wrong_name.add(said.verdict == "missing" && said.named != truth.registry_name);
+  if (said.verdict == "missing") counts.single_name_right.add(said.named == truth.registry_name);
 }
 
 void count_pair(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
@@ -137,14 +138,16 @@ void gather_times(const std::vector<TrialRecord>& records, TrialScores& scores) 
   scores.longest_seconds = seconds.back();
 }
 
-void gather_controls(const std::vector<TrialRecord>& records, TrialScores& scores) {
+using GatesOf = std::vector<TrialGate> (*)(const TrialCounts&);
+
+void gather_controls(const std::vector<TrialRecord>& records, GatesOf gates, TrialScores& scores) {
   for (const ControlName& name : control_names) {
     TrialCounts counts;
     for (const TrialRecord& record : records)
       if (const auto control = record.outcome.controls.find(name.key);
           control != record.outcome.controls.end() && counts_at_all(record.truth))
         count_answer(record.truth, control->second, counts);
-    scores.controls[name.key] = gates_of(counts);
+    scores.controls[name.key] = gates(counts);
   }
 }
 
@@ -156,6 +159,8 @@ void gather_details(const TrialRecord& record, TrialScores& scores) {
   if (truth.effects.empty())
     scores.false_alarms_by_noise[truth.noise_colour + ", stated " + truth.noise_stated].add(
         says_gap(said));
+  if (truth.effects.empty() && !truth.ball.empty())
+    scores.false_alarms_by_ball[truth.ball].add(says_gap(said));
   if (truth.effects.size() != 1 || truth.effects.front().family == "out_of_family") return;
   const TrialEffect& effect = truth.effects.front();
   ++scores.confusion_by_name[effect.registry_name.empty()
@@ -166,9 +171,8 @@ void gather_details(const TrialRecord& record, TrialScores& scores) {
       family == effect.family || (family.empty() && family_in_a_candidate(said, effect.family)));
 }
 
-}  // namespace
-
-TrialScores score_trials(const TrialCollection& trials) {
+/// Of balls of one kind.
+TrialScores score_alike(const TrialCollection& trials, GatesOf gates) {
   TrialScores scores{.trials = static_cast<int>(trials.records.size()),
                      .protocols = trials.protocols};
   TrialCounts counts;
@@ -190,10 +194,22 @@ TrialScores score_trials(const TrialCollection& trials) {
     ++with_candidates;
   }
   if (with_candidates > 0) scores.mean_candidates = static_cast<double>(sets) / with_candidates;
-  scores.gates = gates_of(counts);
+  scores.gates = gates(counts);
   scores.rates = rates_of(trials.records);
-  gather_controls(trials.records, scores);
+  gather_controls(trials.records, gates, scores);
   gather_times(trials.records, scores);
+  return scores;
+}
+
+}  // namespace
+
+TrialScores score_trials(const TrialCollection& trials) {
+  TrialCollection of_points{.records = {}, .protocols = trials.protocols}, in_fem = of_points;
+  for (const TrialRecord& record : trials.records)
+    (record.truth.ball.empty() ? of_points : in_fem).records.push_back(record);
+  TrialScores scores = score_alike(of_points, gates_of);
+  if (!in_fem.records.empty())
+    scores.in_fem = std::make_shared<const TrialScores>(score_alike(in_fem, gates_in_fem_of));
   return scores;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,12 @@ struct TrialScores {
   double mean_candidates = 0.0;  ///< sets of effects where any is said
   double median_seconds = 0.0, longest_seconds = 0.0;
   int trials = 0;
-  int not_visible = 0;                 ///< effects that do not count
-  std::map<std::string, int> origins;  ///< trials by set and seed of the generator
-  TrialProtocols protocols;            ///< more than one: not one error rate
+  int not_visible = 0;                                ///< effects that do not count
+  std::map<std::string, int> origins;                 ///< trials by set and seed of the generator
+  TrialProtocols protocols;                           ///< more than one: not one error rate
+  std::map<std::string, Share> false_alarms_by_ball;  ///< of balls in finite elements
+  /// Of balls in finite elements, apart from all others; null where there are none.
+  std::shared_ptr<const TrialScores> in_fem;
 };
 
 /// Scores outcomes against truths, trial by trial.
@@ -40,6 +44,7 @@ struct TrialScores {
 ///   in the set     it stands in a candidate
 ///   wrong name     one effect is named, and it is another
 ///   abstained      a gap, but no family; or no gap, though the effect shows
+///   in FE          trials of balls in finite elements are scored by themselves
 ///   unseen gap     where it is above three deviations of its noise, four fifths of it are gone
 TrialScores score_trials(const TrialCollection& trials);
 

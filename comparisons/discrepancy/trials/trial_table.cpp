@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 #include "comparisons/discrepancy/trials/table_fields.hpp"
 #include "lumped/problem/error.hpp"
@@ -15,6 +16,12 @@ std::string header_of(const std::vector<TableField>& fields) {
   Fields names;
   for (const TableField& one : fields) names.push_back(one.name);
   return joined(names, ',');
+}
+
+std::vector<TableField> fields_of_earlier_tables() {
+  std::vector<TableField> fields = table_fields();
+  std::erase_if(fields, [](const TableField& one) { return one.may_be_absent; });
+  return fields;
 }
 
 /// A text with a comma or a line end in it would shift all columns behind it.
@@ -77,7 +84,7 @@ std::string table_csv(const TrialCollection& trials) {
 TrialCollection read_trial_table(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
-  const std::vector<TableField> fields = table_fields();
+  std::vector<TableField> fields = table_fields();
   TrialCollection trials;
   ErrorLocation where{.file = file.string()};
   bool has_header = false;
@@ -86,6 +93,8 @@ TrialCollection read_trial_table(const std::filesystem::path& file) {
     if (line.starts_with(protocol_mark)) {
       read_protocol_line(line, where, trials.protocols);
     } else if (!has_header) {
+      if (std::vector<TableField> earlier = fields_of_earlier_tables(); line == header_of(earlier))
+        fields = std::move(earlier);
       where.allowed = header_of(fields);
       if (line != where.allowed)
         throw Error(ExitCode::corrupt_store, "is not the header of a table of trials", where);

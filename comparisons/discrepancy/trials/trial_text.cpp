@@ -135,7 +135,10 @@ std::vector<std::string> columns_of(const ConfusionMatrix& confusion) {
   return {columns.begin(), columns.end()};
 }
 
-Json to_json(const TrialScores& scores) {
+namespace {
+
+/// All but what trials of other balls say.
+Json of_one_kind(const TrialScores& scores) {
   Json controls = Json::object(), protocols = Json::array();
   for (const ControlName& control : control_names)
     controls[control.key] = gates_json(scores.controls.at(control.key));
@@ -161,7 +164,7 @@ Json to_json(const TrialScores& scores) {
           {"seconds", {{"median", scores.median_seconds}, {"longest", scores.longest_seconds}}}};
 }
 
-std::string to_text(const TrialScores& scores) {
+std::string text_of_one_kind(const TrialScores& scores) {
   std::string text = fmt::format(
       "{} trials, {} of them with an effect that does not show; a diagnosis took {:.2g} s, at most "
       "{:.2g} s\n",
@@ -179,8 +182,32 @@ std::string to_text(const TrialScores& scores) {
   text += confusion_lines("hidden: what was said", scores.confusion);
   text += confusion_lines("nearest effect of the list: the name that was said",
                           scores.confusion_by_name);
+  if (!scores.false_alarms_by_ball.empty()) {
+    text += "\nnothing hidden: a gap is said of\n";
+    for (const auto& [ball, share] : scores.false_alarms_by_ball)
+      text += fmt::format("  {:<50}{}\n", ball, short_share(share));
+  }
   for (const RateTable& table : scores.rates) text += rate_lines(table);
   return text;
+}
+
+}  // namespace
+
+Json to_json(const TrialScores& scores) {
+  Json json = of_one_kind(scores);
+  json["in_fem"] = nullptr;
+  if (!scores.in_fem) return json;
+  Json in_fem = of_one_kind(*scores.in_fem);
+  for (const char* shared : {"schema", "complete", "protocols"}) in_fem.erase(shared);
+  in_fem["false_alarms_by_ball"] = shares_json(scores.in_fem->false_alarms_by_ball);
+  json["in_fem"] = in_fem;
+  return json;
+}
+
+std::string to_text(const TrialScores& scores) {
+  if (!scores.in_fem) return text_of_one_kind(scores);
+  const std::string in_fem = "IN FINITE ELEMENTS\n\n" + text_of_one_kind(*scores.in_fem);
+  return scores.trials == 0 ? in_fem : text_of_one_kind(scores) + "\n" + in_fem;
 }
 
 }  // namespace rebound

@@ -27,6 +27,8 @@ struct TrialTruth {
   /// another name; absent where the generator did not say.
   std::optional<double> nearest_family, nearest_name;
   std::string noise_colour, noise_stated;
+  /// What a ball in finite elements is made of; empty: a ball that obeys a law of a point.
+  std::string ball;
   double noise_share = 0.0;  ///< one deviation over the smallest peak force of the believed model
 };
 

@@ -21,8 +21,17 @@ std::string draw_kind(Random& random) {
   return family == static_cast<int>(physical.size()) ? "measurement" : physical[family];
 }
 
-std::vector<HiddenEffect> draw_forms(const std::string& kind, Random& random) {
+/// In finite elements: half nulls, then families that have forms there, evenly.
+std::string draw_fem_kind(Random& random) {
+  static const std::vector<std::string> families = {"elastic", "memory",   "history",
+                                                    "surface", "dynamics", "measurement"};
+  if (random.chance(0.5)) return "null";
+  return random.one_of(families);
+}
+
+std::vector<HiddenEffect> draw_forms(const std::string& kind, bool fem, Random& random) {
   if (kind == "null") return {};
+  if (fem) return {draw_form(fem_forms_of(kind), random)};
   if (kind == "pair") {
     const int first = random.whole(0, 5);
     const int second = (first + random.whole(1, 5)) % 6;
@@ -44,7 +53,7 @@ std::optional<double> visible(const Trial& trial, const HiddenEffect& effect) {
 /// Draws a size, then moves it towards a χ² drawn between barely visible and clear, within the
 /// range of the form. χ² grows about as the square of the size.
 void draw_size(const Trial& trial, HiddenEffect& effect, Random& random) {
-  constexpr int most_corrections = 6;
+  const int most_corrections = in_fem(trial.request) ? 3 : 6;
   const double barely = 10.0, clear = 1e4;
   const EffectForm& form = *effect.form;
   const double wanted = random.log_uniform(barely, clear);
@@ -65,9 +74,9 @@ void draw_size(const Trial& trial, HiddenEffect& effect, Random& random) {
 }
 
 /// The form that a request names, if it names no kind.
-const EffectForm* form_named(const std::string& name) {
-  for (const EffectForm& form : all_forms())
-    if (form.name == name) return &form;
+const EffectForm* form_named(const TrialRequest& request) {
+  for (const EffectForm& form : in_fem(request) ? all_fem_forms() : all_forms())
+    if (form.name == request.only) return &form;
   return nullptr;
 }
 
@@ -101,12 +110,14 @@ HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& rando
 void draw_effects(Trial& trial) {
   const TrialRequest& request = trial.request;
   Random random({request.seed, request.set, request.number, purpose});
-  trial.kind = request.only.empty() ? draw_kind(random) : request.only;
-  const EffectForm* only_form = form_named(request.only);
+  trial.kind = !request.only.empty() ? request.only
+               : in_fem(request)     ? draw_fem_kind(random)
+                                     : draw_kind(random);
+  const EffectForm* only_form = form_named(request);
   if (only_form) trial.kind = only_form->family;
   do {
-    trial.effects =
-        only_form ? std::vector{draw_form({only_form}, random)} : draw_forms(trial.kind, random);
+    trial.effects = only_form ? std::vector{draw_form({only_form}, random)}
+                              : draw_forms(trial.kind, in_fem(request), random);
     for (HiddenEffect& effect : trial.effects) draw_size(trial, effect, random);
   } while (!all_come_back(trial));
 }

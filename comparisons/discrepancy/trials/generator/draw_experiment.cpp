@@ -124,7 +124,8 @@ void draw_sampling(Trial& trial, Random& random) {
 
 void draw_shots(Trial& trial, const std::vector<double>& speeds, Random& random) {
   const double relative = random.log_uniform(0.002, 0.02);
-  const int repeats = random.whole(1, 5);
+  const int most = in_fem(trial.request) ? 1 : 5;
+  const int repeats = random.whole(1, most);
   for (const double speed : speeds)
     for (int i = 0; i < repeats; ++i) {
       TrialShot shot;
@@ -156,10 +157,11 @@ Trial draw_experiment(const TrialRequest& request) {
   Trial trial;
   trial.request = request;
   Random random({request.seed, request.set, request.number, experiment});
-  const std::vector<double> speeds = draw_speeds(random);
+  const bool fem = in_fem(request);
+  const std::vector<double> speeds = fem ? draw_fem_speeds(random) : draw_speeds(random);
   trial.scales.smallest_speed = speeds.front();
   trial.scales.largest_speed = speeds.back();
-  draw_ball(trial, random);
+  fem ? draw_fem_ball(trial, random) : draw_ball(trial, random);
   draw_statements(trial, random);
   draw_noise_kind(trial, random);
   draw_sampling(trial, random);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/trials/generator/fem_ball.hpp"
 #include "comparisons/discrepancy/trials/generator/impact_model.hpp"
 #include "comparisons/discrepancy/trials/generator/measuring_chain.hpp"
 
@@ -13,6 +14,7 @@ namespace trials {
 /// What a trial consists of besides its statements: the impact and the measuring chain.
 struct HiddenWorld {
   ImpactModel impact;
+  FemBall fem;  ///< in place of the impact's law, for a ball in finite elements
   MeasuringChain chain;
 };
 
@@ -84,5 +86,9 @@ const std::vector<EffectForm>& all_forms();
 
 /// Forms of one family.
 std::vector<const EffectForm*> forms_of(const std::string& family);
+
+/// Forms that a ball in finite elements hides, and those of the measurement.
+const std::vector<EffectForm>& all_fem_forms();
+std::vector<const EffectForm*> fem_forms_of(const std::string& family);
 
 }  // namespace trials

@@ -21,6 +21,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::string set = "trials";
   std::string only;
+  std::string fem;
   bool list = false;
 };
 
@@ -35,6 +36,9 @@ constexpr const char* description =
     "sealed.txt\n";
 
 constexpr const char* footer =
+    "With --fem the balls are bodies of finite size, half of them without an effect; the forms "
+    "are\n"
+    "then those that a deck of that program states, and all of the measurement.\n"
     "Kinds: null (30 % of the trials), elastic, rate, memory, history, surface, dynamics,\n"
     "measurement (50 % together), pair (10 %), out_of_family (10 %).\n"
     "The same seed and set give the same data, bit for bit. The nonce of a truth file comes from\n"
@@ -66,18 +70,23 @@ void declare(CLI::App& app, Options& options) {
       })
       ->capture_default_str();
   std::vector<std::string> allowed = trials::kinds();
-  for (const auto& form : trials::all_forms()) allowed.push_back(form.name);
+  for (const auto* forms : {&trials::all_forms(), &trials::all_fem_forms()})
+    for (const auto& form : *forms) allowed.push_back(form.name);
   app.add_option("--only", options.only, "One kind, or one form by its name (see --list).")
       ->type_name("KIND")
       ->check([allowed](const std::string& kind) {
         if (std::find(allowed.begin(), allowed.end(), kind) != allowed.end()) return std::string();
         return fmt::format("'{}' is no kind or form; allowed: {}", kind, fmt::join(allowed, ", "));
       });
+  app.add_option("--fem", options.fem,
+                 "Balls in finite elements, computed by this program, as build/rebound; three to "
+                 "ten processor seconds a trial.")
+      ->type_name("PROGRAM");
   app.add_flag("--list", options.list, "Print the forms of all families and stop.");
 }
 
-void print_forms() {
-  for (const auto& form : trials::all_forms())
+void print_forms(const Options& options) {
+  for (const auto& form : options.fem.empty() ? trials::all_forms() : trials::all_fem_forms())
     fmt::print("{:14} {:24} |s| {:g} to {:g}  {}\n", form.family, form.name, form.smallest,
                form.largest, form.formula);
 }
@@ -89,15 +98,31 @@ std::string missing(const CLI::App& app) {
   return "";
 }
 
+/// Is there a form of this kind or name for such balls?
+bool is_known(const std::string& only, bool in_fem) {
+  if (only.empty() || only == "null" || (only == "pair" && !in_fem)) return true;
+  const auto& forms = in_fem ? trials::all_fem_forms() : trials::all_forms();
+  return std::any_of(forms.begin(), forms.end(), [&](const trials::EffectForm& form) {
+    return form.name == only || form.family == only;
+  });
+}
+
 int generate(const Options& options) {
   if (std::filesystem::exists(std::filesystem::path(options.out) / "sealed.txt")) {
     fmt::print(stderr, "--out: '{}' holds sealed trials; allowed: a folder without sealed.txt\n",
                options.out);
     return bad_input;
   }
+  const auto fem =
+      options.fem.empty() ? nullptr : std::make_shared<trials::FemProgram>(options.fem);
+  if (!is_known(options.only, fem != nullptr)) {
+    fmt::print(stderr, "--only: '{}' has no form for these balls; allowed: see --list{}\n",
+               options.only, fem ? " with --fem" : "");
+    return bad_input;
+  }
   trials::TrialFolder folder(options.out);
   for (int number = 1; number <= options.count; ++number)
-    folder.add(trials::make_trial({options.seed, options.set, number, options.only}));
+    folder.add(trials::make_trial({options.seed, options.set, number, options.only, fem}));
   fmt::print("{} trials in {}\n", options.count, options.out);
   return done;
 }
@@ -114,7 +139,7 @@ int main(int argc, char** argv) try {
     return app.exit(error) == 0 ? done : bad_input;
   }
   if (options.list) {
-    print_forms();
+    print_forms(options);
     return done;
   }
   if (const std::string problem = missing(app); !problem.empty()) {

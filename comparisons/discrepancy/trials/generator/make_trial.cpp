@@ -13,6 +13,7 @@ HiddenWorld world_of(const Trial& trial, const std::vector<HiddenEffect>& effect
   world.impact.mass = trial.ball.mass;
   world.impact.stiffness = trial.ball.stiffness;
   world.impact.damping = trial.ball.damping;
+  world.fem = trial.fem;
   world.chain.gain = trial.true_gain;
   for (const HiddenEffect& effect : effects) apply(effect, trial.scales, world);
   return world;
@@ -27,10 +28,6 @@ Sampling sampling_of(const Trial& trial, const TrialShot& shot, double contact_t
       .rate = rate,
       .first_time = -(trial.samples_before + shot.sampling_phase) / rate,
       .count = trial.samples_before + 1 + static_cast<int>(std::ceil(contact_time * rate + after))};
-}
-
-std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling) {
-  return reported_force(free.impacts[shot], free.world.chain, sampling, static_cast<int>(shot));
 }
 
 void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, TrialShot& shot) {
@@ -54,9 +51,25 @@ void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, Trial
   digitise(free.world.chain, shot.force);
 }
 
+NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  NoiseFree free{.world = world_of(trial, effects), .impacts = {}, .samplings = {}};
+  for (const TrialShot& shot : trial.shots) {
+    free.impacts.push_back(trial.request.fem->impact(
+        free.world.fem,
+        {.mass = trial.ball.mass, .radius = trial.radius, .speed = shot.true_speed}));
+    free.samplings.push_back(sampling_of(trial, shot, free.impacts.back().contact_time));
+  }
+  return free;
+}
+
 }  // namespace
 
+std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling) {
+  return reported_force(free.impacts[shot], free.world.chain, sampling, static_cast<int>(shot));
+}
+
 NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  if (in_fem(trial.request)) return simulate_in_fem(trial, effects);
   NoiseFree free{.world = world_of(trial, effects), .impacts = {}, .samplings = {}};
   int index = 0;
   for (const TrialShot& shot : trial.shots) {
@@ -107,6 +120,7 @@ Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
 }
 
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  if (in_fem(trial.request)) return visible_chi_square_in_fem(trial, effects);
   const NoiseFree free = simulate_trial(trial, effects);
   RefitProblem problem = refit_problem(trial, free, free.samplings);
   // A second start, for an effect may have a nearer minimum in the way.
@@ -120,7 +134,7 @@ Trial make_trial(const TrialRequest& request) {
   Trial trial = draw_experiment(request);
   draw_effects(trial);
   trial.visible_chi_square = visible_chi_square(trial, trial.effects);
-  trial.rivals = rivals_of(trial);
+  if (!in_fem(request)) trial.rivals = rivals_of(trial);  // of forms that do not run in FE
   const NoiseFree free = simulate_trial(trial, trial.effects);
   for (std::size_t i = 0; i < trial.shots.size(); ++i) record_shot(trial, free, i, trial.shots[i]);
   return trial;

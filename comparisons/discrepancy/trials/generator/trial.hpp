@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/trials/generator/baseline_pulse.hpp"
+#include "comparisons/discrepancy/trials/generator/fem_program.hpp"
 #include "comparisons/discrepancy/trials/generator/hidden_effect.hpp"
 #include "comparisons/discrepancy/trials/generator/noise.hpp"
 #include "comparisons/discrepancy/trials/generator/refit.hpp"
@@ -18,6 +20,8 @@ struct TrialRequest {
   std::string set;
   int number = 1;
   std::string only;  ///< a kind or the name of a form; empty: all kinds
+  /// Balls in finite elements, by this program; null: balls that obey Hunt–Crossley.
+  std::shared_ptr<FemProgram> fem{};
 };
 
 /// A number as the data set states it, with one standard deviation.
@@ -59,7 +63,8 @@ struct Trial {
   TrialRequest request;
   std::string kind;
 
-  BaselineBall ball;    ///< true mass, stiffness, damping
+  BaselineBall ball;    ///< true mass, stiffness, damping; in finite elements about those
+  FemBall fem;          ///< with nothing hidden, where the request has a program for it
   double radius = 0.0;  ///< true [m]
   double restitution_at_mid_speed = 0.0;
   Stated mass;      ///< [kg]
@@ -89,6 +94,11 @@ struct Trial {
 /// Kinds of trials that can be asked for, beside the names of forms.
 const std::vector<std::string>& kinds();
 
+/// Are these trials of a ball in finite elements? They have kinds and forms of their own.
+inline bool in_fem(const TrialRequest& request) {
+  return request.fem != nullptr;
+}
+
 /// Draws and records one trial. The same request gives the same trial, bit for bit.
 Trial make_trial(const TrialRequest& request);
 
@@ -100,6 +110,11 @@ HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& rando
 
 /// Draws kind, forms, secondary numbers and sizes.
 void draw_effects(Trial& trial);
+
+/// Three speeds for a ball in finite elements, and the ball: its highest speed is 0.06 to 0.16 of
+/// that of waves, √(E/ρ).
+std::vector<double> draw_fem_speeds(Random& random);
+void draw_fem_ball(Trial& trial, Random& random);
 
 /// Noise-free record of all shots with these effects, clipped and rounded.
 /// Errors: NoRebound.
@@ -117,6 +132,14 @@ Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
 
 /// χ² of that, at the effects' own times. Errors: NoRebound.
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+/// The same in finite elements, to first order: a ball with nothing hidden takes what it can by its
+/// modulus, its Poisson ratio and the ratio of its branches, beside gain, offset, starts and
+/// speeds. Errors: NoRebound.
+double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+/// The noise-free reading of one shot, before clipping and rounding.
+std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling);
 
 /// What of all forms comes nearest to the effects of a trial.
 Rivals rivals_of(const Trial& trial);

@@ -50,6 +50,19 @@ Json shots_json(const Trial& trial) {
   return shots;
 }
 
+/// Of a ball in finite elements: what it is made of, and the deck of its first shot as it was run.
+Json fem_ball_json(const Trial& trial) {
+  HiddenWorld world;
+  world.fem = trial.fem;
+  world.impact.mass = trial.ball.mass;
+  for (const HiddenEffect& effect : trial.effects) apply(effect, trial.scales, world);
+  return {{"tier", "fem"},
+          {"material", trial.fem.material},
+          {"deck", deck_text(world.fem, {.mass = trial.ball.mass,
+                                         .radius = trial.radius,
+                                         .speed = trial.shots.front().true_speed})}};
+}
+
 Json scales_json(const Scales& scales) {
   return {{"x_ref_m", scales.deflection}, {"F_ref_N", scales.force},
           {"v_mid_m_s", scales.speed},    {"v_max_m_s", scales.largest_speed},
@@ -103,30 +116,31 @@ std::string truth_text(const Trial& trial, const std::string& nonce) {
     effects.push_back(effect_json(effect, trial.scales));
     families.push_back(effect.form->family);
   }
-  const Json truth = {{"schema", 1},
-                      {"set", trial.request.set},
-                      {"trial", trial.request.number},
-                      {"seed", trial.request.seed},
-                      {"kind", trial.kind},
-                      {"families", families},
-                      {"effects", effects},
-                      {"visible_chi_square", trial.visible_chi_square},
-                      {"resolvable", trial.visible_chi_square >= 25.0},
-                      {"nearest_of_other_family", rival_json(trial.rivals.of_other_family)},
-                      {"nearest_of_other_name", rival_json(trial.rivals.of_other_name)},
-                      {"baseline",
-                       {{"mass_kg", trial.ball.mass},
-                        {"radius_m", trial.radius},
-                        {"stiffness_N_m^1.5", trial.ball.stiffness},
-                        {"lambda_s_m", trial.ball.damping},
-                        {"damping_N_s_m^2.5", trial.ball.stiffness * trial.ball.damping},
-                        {"restitution_at_v_mid", trial.restitution_at_mid_speed}}},
-                      {"gain", trial.true_gain},
-                      {"noise", noise_json(trial)},
-                      {"sampling_rate_Hz", trial.sampling_rate},
-                      {"scales", scales_json(trial.scales)},
-                      {"shots", shots_json(trial)},
-                      {"nonce", nonce}};
+  Json truth = {{"schema", 1},
+                {"set", trial.request.set},
+                {"trial", trial.request.number},
+                {"seed", trial.request.seed},
+                {"kind", trial.kind},
+                {"families", families},
+                {"effects", effects},
+                {"visible_chi_square", trial.visible_chi_square},
+                {"resolvable", trial.visible_chi_square >= 25.0},
+                {"nearest_of_other_family", rival_json(trial.rivals.of_other_family)},
+                {"nearest_of_other_name", rival_json(trial.rivals.of_other_name)},
+                {"baseline",
+                 {{"mass_kg", trial.ball.mass},
+                  {"radius_m", trial.radius},
+                  {"stiffness_N_m^1.5", trial.ball.stiffness},
+                  {"lambda_s_m", trial.ball.damping},
+                  {"damping_N_s_m^2.5", trial.ball.stiffness * trial.ball.damping},
+                  {"restitution_at_v_mid", trial.restitution_at_mid_speed}}},
+                {"gain", trial.true_gain},
+                {"noise", noise_json(trial)},
+                {"sampling_rate_Hz", trial.sampling_rate},
+                {"scales", scales_json(trial.scales)},
+                {"shots", shots_json(trial)},
+                {"nonce", nonce}};
+  if (in_fem(trial.request)) truth["ball"] = fem_ball_json(trial);
   return truth.dump(2) + "\n";
 }
 

@@ -32,6 +32,7 @@ TEST(TrialProtocolTest, EveryThresholdIsAnotherProtocol) {
   EXPECT_NE(frozen, protocol_digest(protocol_with({.bootstrap_draws = 99})));
   EXPECT_NE(frozen, protocol_digest(protocol_with({.least_inclusion = 0.7})));
   EXPECT_NE(frozen, protocol_digest(protocol_with({}, 2)));
+  EXPECT_NE(frozen, protocol_digest(to_json(protocol_of_this_program(1, true)))) << "FE asked";
 }
 
 /// A trial without an outcome.

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
+#include "comparisons/discrepancy/trials/table_fields.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 #include "tests/support/refusals.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -56,6 +58,30 @@ TEST(TrialTableTest, ScoresComeBackFromTheTable) {
   EXPECT_FALSE(again.records[1].truth.nearest_name.has_value());
   EXPECT_FALSE(again.records[1].outcome.held_out_after.has_value());
   EXPECT_EQ(again.records[1].outcome.controls.at("random").named, "hum");
+}
+
+TEST(TrialTableTest, ATableWithoutTheColumnOfBallsIsOfBallsThatObeyALaw) {
+  const testing::TemporaryFolder folder;
+  TrialCollection trials = examples();
+  trials.records[0].truth.ball = "foam; nu 0.3";
+  const std::string text = table_csv(trials);
+  EXPECT_EQ(read_trial_table(folder.write("t.csv", text)).records[0].truth.ball, "foam; nu 0.3");
+  std::string earlier;
+  std::size_t column = 0;
+  for (const std::string& line : parts_of(text, '\n')) {
+    Fields fields = parts_of(line, ',');
+    if (!line.starts_with("#") && fields.size() > 1) {
+      if (column == 0)
+        column = static_cast<std::size_t>(std::find(fields.begin(), fields.end(), "ball") -
+                                          fields.begin());
+      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(column));
+    }
+    if (!line.empty()) earlier += joined(fields, ',') + "\n";
+  }
+  const TrialCollection read = read_trial_table(folder.write("e.csv", earlier));
+  ASSERT_EQ(read.records.size(), trials.records.size());
+  EXPECT_EQ(read.records[0].truth.ball, "");
+  EXPECT_EQ(read.records[1].outcome.said, trials.records[1].outcome.said);
 }
 
 TEST(TrialTableTest, AChangedTableIsRefusedWithItsLine) {

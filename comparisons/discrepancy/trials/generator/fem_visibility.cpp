@@ -1,0 +1,137 @@
+#include <array>
+#include <cmath>
+
+#include "comparisons/discrepancy/trials/generator/linear_prediction.hpp"
+#include "comparisons/discrepancy/trials/generator/normal_equations.hpp"
+#include "comparisons/discrepancy/trials/generator/trial.hpp"
+
+namespace trials {
+namespace {
+
+/// Places of the unknowns; those of shot j follow from first_of_shot + 2 j.
+enum Unknown { log_modulus, poisson_ratio, branches, gain, offset, first_of_shot };
+
+/// Slopes by the five shared unknowns and the shot's two; the residual last.
+using Row = std::array<double, first_of_shot + 3>;
+
+/// The ball with nothing hidden, one of its numbers changed by `step`.
+Trial changed(Trial trial, Unknown which, double step) {
+  FemBall& ball = trial.fem;
+  if (which == log_modulus) ball.modulus *= std::exp(step);
+  if (which == poisson_ratio) ball.poisson_ratio += step;
+  if (which == branches)
+    for (FemBranch& branch : ball.branches) branch.ratio *= 1.0 + step;
+  return trial;
+}
+
+/// Records with nothing hidden, at the times of the data, and their change by a number of the ball.
+class NothingHidden {
+ public:
+  NothingHidden(const Trial& trial, const std::vector<Sampling>& samplings)
+      : trial_(trial), samplings_(samplings), force_(records_of(trial)) {
+    constexpr std::array<double, 3> steps = {0.01, -0.01, 0.05};
+    for (const Unknown which : {log_modulus, poisson_ratio, branches}) {
+      std::vector<std::vector<double>> records = records_of(changed(trial, which, steps[which]));
+      for (std::size_t j = 0; j < records.size(); ++j)
+        for (std::size_t i = 0; i < records[j].size(); ++i)
+          records[j][i] = (records[j][i] - force_[j][i]) / steps[which];
+      slopes_[which] = std::move(records);
+    }
+  }
+
+  const std::vector<double>& force(std::size_t shot) const { return force_[shot]; }
+
+  Row row(std::size_t shot, std::size_t i, double hidden) const {
+    const std::vector<double>& force = force_[shot];
+    const Sampling& sampling = samplings_[shot];
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, force.size() - 1);
+    const double slope =
+        (force[after] - force[before]) * sampling.rate / static_cast<double>(after - before);
+    const double time = sampling.first_time + static_cast<double>(i) / sampling.rate;
+    // By the logarithm of the speed as a Hertzian impact changes: F as v^1.2, time as v^-0.2.
+    return {slopes_[log_modulus][shot][i],
+            slopes_[poisson_ratio][shot][i],
+            slopes_[branches][shot][i],
+            force[i] / trial_.true_gain,
+            1.0,
+            -slope,
+            1.2 * force[i] + 0.2 * time * slope,
+            force[i] - hidden};
+  }
+
+ private:
+  std::vector<std::vector<double>> records_of(const Trial& trial) const {
+    const NoiseFree free = simulate_trial(trial, {});
+    std::vector<std::vector<double>> records;
+    for (std::size_t j = 0; j < free.impacts.size(); ++j)
+      records.push_back(recorded(free, j, samplings_[j]));
+    return records;
+  }
+
+  const Trial& trial_;
+  const std::vector<Sampling>& samplings_;
+  std::vector<std::vector<double>> force_;
+  std::array<std::vector<std::vector<double>>, 3> slopes_;
+};
+
+/// Rows of a linear problem, kept so that what is left over can be summed.
+class LinearProblem {
+ public:
+  explicit LinearProblem(std::size_t unknowns) : equations_(unknowns) {}
+
+  void add(std::vector<int> places, std::vector<double> slopes, double residual) {
+    equations_.add(places, slopes, residual);
+    rows_.push_back({std::move(places), std::move(slopes), residual});
+  }
+
+  /// Σ r² at its least.
+  double least() const {
+    constexpr double relaxed = 1e-9;
+    const std::vector<double> step = equations_.step(relaxed);
+    double sum = 0.0;
+    for (const auto& [places, slopes, residual] : rows_) {
+      double left = residual;
+      for (std::size_t k = 0; k < places.size(); ++k) left += slopes[k] * step[places[k]];
+      sum += left * left;
+    }
+    return sum;
+  }
+
+ private:
+  struct KeptRow {
+    std::vector<int> places;
+    std::vector<double> slopes;
+    double residual;
+  };
+  NormalEquations equations_;
+  std::vector<KeptRow> rows_;
+};
+
+}  // namespace
+
+double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  if (effects.empty()) return 0.0;
+  const NoiseFree free = simulate_trial(trial, effects);
+  const NothingHidden nothing(trial, free.samplings);
+  const LinearPrediction prediction(trial.noise);
+  const double gain_uncertainty =
+      std::hypot(trial.gain_uncertainty, trial.mass.uncertainty / trial.ball.mass);
+  LinearProblem problem(first_of_shot + 2 * trial.shots.size());
+  for (std::size_t j = 0; j < trial.shots.size(); ++j) {
+    std::vector<double> hidden = recorded(free, j, free.samplings[j]);
+    digitise(free.world.chain, hidden);
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < hidden.size(); ++i) rows.push_back(nothing.row(j, i, hidden[i]));
+    prediction.whiten(rows);
+    const int own = static_cast<int>(first_of_shot + 2 * j);
+    for (const Row& row : rows)
+      problem.add({log_modulus, poisson_ratio, branches, gain, offset, own, own + 1},
+                  {row.begin(), row.end() - 1}, row.back());
+    problem.add({own + 1}, {trial.shots[j].speed.value / trial.shots[j].speed.uncertainty}, 0.0);
+  }
+  problem.add({gain}, {1.0 / gain_uncertainty}, 0.0);
+  problem.add({offset}, {1.0 / trial.noise.deviation}, 0.0);
+  return problem.least();
+}
+
+}  // namespace trials
