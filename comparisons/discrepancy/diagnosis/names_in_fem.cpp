@@ -10,11 +10,6 @@
 namespace rebound {
 namespace {
 
-bool has_both_forms(const NamedEffect& named) {
-  const Effect& effect = find_effect(named.effect.name);
-  return effect.to_fem && effect.to_lumped && !is_measurement(named.effect.name);
-}
-
 /// From the numbers of the lumped tier, and from a third of the size: an effect means one mechanism
 /// in both tiers, and not one number. Of what swings, every strength at the frequency that was
 /// found.
@@ -63,15 +58,30 @@ std::string tier_verdict(const FemOfAllBalls& without, const FemOfAllBalls& with
 
 }  // namespace
 
+bool fem_can_state(const EffectChoice& effect) try {
+  if (!find_effect(effect.name).to_fem) return false;
+  FemProblem any;
+  any.material = {.youngs_modulus = 1e7, .poisson_ratio = 0.3};
+  apply_effects({effect}, any);
+  return true;
+} catch (const Error& error) {
+  if (error.code() != ExitCode::bad_input) throw;
+  return false;
+}
+
 void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRules& rules,
                       const RunControl& control) try {
   std::vector<NamedEffect*> asked;
   std::vector<EffectChoice> choices;
-  for (NamedEffect& named : d.effects)
-    if (has_both_forms(named)) {
+  for (NamedEffect& named : d.effects) {
+    if (!find_effect(named.effect.name).to_lumped || is_measurement(named.effect.name)) continue;
+    if (fem_can_state(named.effect)) {
       asked.push_back(&named);
       choices.push_back(named.effect);
+    } else {
+      named.fem = "no-form";
     }
+  }
   if (asked.empty()) return;
   const FemOfBalls balls(d, all, control);
   const FemOfAllBalls with = fit_with(balls, choices, *d.seen);

@@ -1,0 +1,24 @@
+// Which names FE can be asked of.
+#include "comparisons/discrepancy/diagnosis/names_in_fem.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rebound {
+namespace {
+
+/// A curve with a dent once ended a whole diagnosis as bad input.
+TEST(NamesInFemTest, ANumberThatFeDoesNotHaveIsNoFormThere) {
+  EffectChoice curve{.name = "unloading-curve", .size = 0.1, .parameters = {}};
+  EXPECT_TRUE(fem_can_state(curve));
+  curve.parameters["set"] = 0.05;
+  EXPECT_FALSE(fem_can_state(curve));
+}
+
+TEST(NamesInFemTest, AnEffectWithAFormInFeCanBeAskedAndOneWithoutCannot) {
+  EXPECT_TRUE(fem_can_state({.name = "relaxation", .size = 0.3, .parameters = {}}));
+  EXPECT_TRUE(fem_can_state({.name = "plate-compliance", .size = 1e-8, .parameters = {}}));
+  EXPECT_FALSE(fem_can_state({.name = "force-exponent", .size = 0.1, .parameters = {}}));
+}
+
+}  // namespace
+}  // namespace rebound
