@@ -1,93 +1,247 @@
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
+#include <cmath>
 
 #include "fem/discretisation/discretisation.hpp"
 
 namespace rebound::fem {
 namespace {
 
-using Matrix8 = Eigen::Matrix<double, 8, 8>;
+/// As many cells go side by side, one a lane: a cell alone is too small for vectors.
+constexpr int lanes = 4;
+typedef double Lanes __attribute__((vector_size(8 * lanes)));
+using Group = std::array<int, lanes>;  ///< numbers of cells
 
-using StrainRows = Eigen::Matrix<double, 4, 8>;  ///< rr, zz, tt, 2 rz
+constexpr int size = 2 * nodes_per_cell;  ///< displacements of a cell, (r, z) by node
+using Matrices = Lanes[size][size];       ///< of each lane; the lower triangle counts
 
-/// Small-strain rows B of each point, displacements (r, z) by node.
-std::array<StrainRows, points_per_cell> strain_rows_of(const CellGeometry& cell) {
-  std::array<StrainRows, points_per_cell> rows;
-  for (int q = 0; q < points_per_cell; ++q) {
-    StrainRows& b = rows[q];
-    b.setZero();
+/// Small-strain rows B of one point: ε_rr, ε_zz, ε_tt, 2 ε_rz by displacements over √mass.
+struct StrainRows {
+  Lanes rr[nodes_per_cell], tt[nodes_per_cell], rz_of_r[nodes_per_cell];  ///< by u_r
+  Lanes zz[nodes_per_cell], rz_of_z[nodes_per_cell];                      ///< by u_z
+  Lanes dilatation[size];                                                 ///< ε_rr + ε_zz + ε_tt
+  Lanes weight;                                                           ///< [m³]
+  Lanes modulus_weight;  ///< with the factor of a layer
+};
+
+/// 1/√m of each displacement; 0 where a node of the axis cannot move.
+[[gnu::always_inline]] inline void inverse_roots_of_mass(const Discretisation& body,
+                                                         const Group& group,
+                                                         const std::vector<char>& on_axis,
+                                                         Lanes* scale) {
+  for (int lane = 0; lane < lanes; ++lane) {
+    const CellGeometry& cell = body.cells[group[lane]];
     for (int i = 0; i < nodes_per_cell; ++i) {
-      const auto& gradient = cell.gradient[q][i];
-      b(0, 2 * i) = gradient[0];
-      b(1, 2 * i + 1) = gradient[1];
-      b(2, 2 * i) = cell.shape[q][i] / cell.radius[q];
-      b(3, 2 * i) = gradient[1];
-      b(3, 2 * i + 1) = gradient[0];
+      double mass = 0.0;
+      for (int q = 0; q < points_per_cell; ++q)
+        mass += body.density * cell.weight[q] * cell.shape[q][i];
+      const double root = 1.0 / std::sqrt(mass);
+      scale[2 * i][lane] = on_axis[cell.nodes[i]] ? 0.0 : root;
+      scale[2 * i + 1][lane] = root;
     }
   }
-  return rows;
 }
 
-/// B̄ = B + ⅓ 1 (mean of tr B − tr B): the derivative of mean_dilatation.inl at rest.
-void share_dilatation(const CellGeometry& cell, std::array<StrainRows, points_per_cell>& rows) {
-  using Row = Eigen::Matrix<double, 1, 8>;
-  Row mean = Row::Zero();
-  double volume = 0.0;
+[[gnu::always_inline]] inline void fill_strain_rows(const Discretisation& body, const Group& group,
+                                                    int q, const PointFactors& factors,
+                                                    const Lanes* scale, StrainRows& rows) {
+  for (int lane = 0; lane < lanes; ++lane) {
+    const CellGeometry& cell = body.cells[group[lane]];
+    for (int i = 0; i < nodes_per_cell; ++i) {
+      const auto& gradient = cell.gradient[q][i];
+      rows.rr[i][lane] = gradient[0];
+      rows.zz[i][lane] = gradient[1];
+      rows.tt[i][lane] = cell.shape[q][i] / cell.radius[q];
+    }
+    rows.weight[lane] = cell.weight[q];
+    rows.modulus_weight[lane] = (factors.empty() ? 1.0 : factors[group[lane]][q]) * cell.weight[q];
+  }
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    rows.rz_of_r[i] = rows.zz[i] * scale[2 * i];
+    rows.rz_of_z[i] = rows.rr[i] * scale[2 * i + 1];
+    rows.rr[i] *= scale[2 * i];
+    rows.tt[i] *= scale[2 * i];
+    rows.zz[i] *= scale[2 * i + 1];
+    rows.dilatation[2 * i] = rows.rr[i] + rows.tt[i];
+    rows.dilatation[2 * i + 1] = rows.zz[i];
+  }
+}
+
+/// A += c a aᵀ.
+[[gnu::always_inline]] inline void add_square(const Lanes& c, const Lanes* a, Matrices& matrix) {
+  for (int i = 0; i < size; ++i) {
+    const Lanes factor = c * a[i];
+    for (int j = 0; j <= i; ++j) matrix[i][j] += factor * a[j];
+  }
+}
+
+/// 2 μ ε:ε of one point.
+[[gnu::always_inline]] inline void add_shear(double shear, const StrainRows& rows,
+                                             Matrices& matrix) {
+  const Lanes one = shear * rows.modulus_weight, two = 2.0 * one;
+  for (int i = 0; i < nodes_per_cell; ++i) {
+    const Lanes rr = two * rows.rr[i], tt = two * rows.tt[i], zz = two * rows.zz[i];
+    const Lanes of_r = one * rows.rz_of_r[i], of_z = one * rows.rz_of_z[i];
+    for (int j = 0; j <= i; ++j) {
+      matrix[2 * i][2 * j] += rr * rows.rr[j] + tt * rows.tt[j] + of_r * rows.rz_of_r[j];
+      matrix[2 * i + 1][2 * j] += of_z * rows.rz_of_r[j];
+      if (j < i) matrix[2 * i][2 * j + 1] += of_r * rows.rz_of_z[j];
+      matrix[2 * i + 1][2 * j + 1] += zz * rows.zz[j] + of_z * rows.rz_of_z[j];
+    }
+  }
+}
+
+/// M^-½ K M^-½ of each cell, K = ∫ λ (tr ε)² + 2 μ ε:ε dV. With a mean dilatation, the derivative
+/// of mean_dilatation.inl at rest: tr ε is the cell's mean in K/2 (tr ε)², its own in the deviator.
+[[gnu::always_inline]] inline void fill_matrices(const Discretisation& body, const Group& group,
+                                                 const Moduli& moduli, const CellStiffness& cells,
+                                                 const Lanes* scale, Matrices& matrix) {
+  const double third = -2.0 / 3.0 * moduli.shear;
+  for (auto& row : matrix)
+    for (Lanes& value : row) value = Lanes{};
+  Lanes mean[size] = {}, volume = {}, modulus_volume = {};
+  StrainRows rows;
   for (int q = 0; q < points_per_cell; ++q) {
-    mean += cell.weight[q] * rows[q].topRows<3>().colwise().sum();
-    volume += cell.weight[q];
+    fill_strain_rows(body, group, q, cells.factors, scale, rows);
+    add_shear(moduli.shear, rows, matrix);
+    const double lame = cells.mean_dilatation ? third : moduli.bulk + third;
+    add_square(lame * rows.modulus_weight, rows.dilatation, matrix);
+    for (int i = 0; i < size; ++i) mean[i] += rows.weight * rows.dilatation[i];
+    volume += rows.weight;
+    modulus_volume += rows.modulus_weight;
   }
-  mean /= volume;
-  for (StrainRows& b : rows) {
-    const Row more = (mean - b.topRows<3>().colwise().sum()) / 3.0;
-    b.topRows<3>().rowwise() += more;
+  if (cells.mean_dilatation)
+    add_square(moduli.bulk * modulus_volume / (volume * volume), mean, matrix);
+}
+
+/// A symmetric tridiagonal matrix: its diagonal, and the squares beside it.
+struct Tridiagonal {
+  Lanes diagonal[size], beside[size - 1], beside_squared[size - 1];
+};
+
+[[gnu::always_inline]] inline void root(const Lanes& squared, Lanes& out) {
+  for (int lane = 0; lane < lanes; ++lane) out[lane] = std::sqrt(squared[lane]);
+}
+
+/// Householder's reduction; `a` is used up.
+[[gnu::always_inline]] inline void reduce(Matrices& a, Tridiagonal& t) {
+  const Lanes zero = {};
+  for (int k = 0; k < size - 1; ++k) {
+    t.diagonal[k] = a[k][k];
+    Lanes squared = zero, norm;
+    for (int i = k + 1; i < size; ++i) squared += a[i][k] * a[i][k];
+    root(squared, norm);
+    t.beside_squared[k] = squared;
+    t.beside[k] = norm;
+    if (k == size - 2) break;
+    // H = 1 − β v vᵀ, β = 2/vᵀv.
+    Lanes v[size], p[size];
+    const Lanes first = a[k + 1][k], length = first < 0.0 ? -first : first;
+    for (int i = k + 1; i < size; ++i) {
+      v[i] = a[i][k];
+      p[i] = zero;
+    }
+    v[k + 1] += first < 0.0 ? -norm : norm;
+    const Lanes beta = squared > 0.0 ? 1.0 / (squared + length * norm) : zero;
+    for (int i = k + 1; i < size; ++i) {
+      for (int j = k + 1; j < i; ++j) {
+        p[i] += a[i][j] * v[j];
+        p[j] += a[i][j] * v[i];
+      }
+      p[i] += a[i][i] * v[i];
+    }
+    Lanes along = zero;
+    for (int i = k + 1; i < size; ++i) {
+      p[i] *= beta;
+      along += p[i] * v[i];
+    }
+    along *= 0.5 * beta;
+    for (int i = k + 1; i < size; ++i) p[i] -= along * v[i];
+    for (int i = k + 1; i < size; ++i)
+      for (int j = k + 1; j <= i; ++j) a[i][j] -= v[i] * p[j] + p[i] * v[j];
+  }
+  t.diagonal[size - 1] = a[size - 1][size - 1];
+}
+
+/// Largest root of the characteristic polynomial by Newton's method from Gershgorin's bound,
+/// whence it falls to that root without a step too far.
+[[gnu::always_inline]] inline void largest_eigenvalue(const Tridiagonal& t, Lanes& largest) {
+  largest = t.diagonal[0] + t.beside[0];
+  for (int i = 1; i < size; ++i) {
+    Lanes reach = t.diagonal[i] + t.beside[i - 1];
+    if (i < size - 1) reach += t.beside[i];
+    largest = reach > largest ? reach : largest;
+  }
+  constexpr double resolution = 4e-16;
+  for (bool falls = true; falls;) {
+    Lanes p_before = Lanes{} + 1.0, p = largest - t.diagonal[0];
+    Lanes slope_before = {}, slope = p_before;
+    for (int i = 1; i < size; ++i) {
+      const Lanes by = largest - t.diagonal[i], squared = t.beside_squared[i - 1];
+      const Lanes p_next = by * p - squared * p_before;
+      const Lanes slope_next = p + by * slope - squared * slope_before;
+      p_before = p;
+      p = p_next;
+      slope_before = slope;
+      slope = slope_next;
+    }
+    const Lanes next = largest - p / slope;
+    const auto lower = next < (1.0 - resolution) * largest;  // false of what is no number
+    largest = lower ? next : largest;
+    falls = false;
+    for (int lane = 0; lane < lanes; ++lane) falls = falls || lower[lane];
   }
 }
 
-/// Small-strain stiffness ∫ BᵀDB dV of one cell.
-Matrix8 stiffness_of(const CellGeometry& cell, const Moduli& moduli, const double* factors,
-                     bool mean_dilatation) {
-  const double lame = moduli.bulk - 2.0 / 3.0 * moduli.shear;
-  Eigen::Matrix4d elasticity = Eigen::Matrix4d::Zero();  // rr, zz, tt, 2 rz
-  elasticity.topLeftCorner<3, 3>().setConstant(lame);
-  elasticity.diagonal() << lame + 2 * moduli.shear, lame + 2 * moduli.shear,
-      lame + 2 * moduli.shear, moduli.shear;
-  Matrix8 stiffness = Matrix8::Zero();
-  auto rows = strain_rows_of(cell);
-  if (mean_dilatation) share_dilatation(cell, rows);
-  for (int q = 0; q < points_per_cell; ++q)
-    stiffness +=
-        (factors ? factors[q] : 1.0) * cell.weight[q] * rows[q].transpose() * elasticity * rows[q];
-  return stiffness;
+/// Cells and what is asked of them.
+struct Question {
+  const Discretisation& body;
+  const Moduli& moduli;
+  const CellStiffness& stiffness;
+  std::vector<char> on_axis;  ///< by node
+};
+
+[[gnu::always_inline]] inline void fill_frequencies(const Question& asked,
+                                                    std::vector<double>& frequencies) {
+  const auto count = static_cast<int>(frequencies.size());
+  for (int first = 0; first < count; first += lanes) {
+    Group group;
+    for (int lane = 0; lane < lanes; ++lane) group[lane] = std::min(first + lane, count - 1);
+    Lanes scale[size], largest;
+    Matrices matrix;
+    Tridiagonal reduced;
+    inverse_roots_of_mass(asked.body, group, asked.on_axis, scale);
+    fill_matrices(asked.body, group, asked.moduli, asked.stiffness, scale, matrix);
+    reduce(matrix, reduced);
+    largest_eigenvalue(reduced, largest);
+    for (int lane = 0; lane < lanes; ++lane) frequencies[group[lane]] = largest[lane];
+  }
 }
+
+void fill_plainly(const Question& asked, std::vector<double>& frequencies) {
+  fill_frequencies(asked, frequencies);
+}
+
+#if defined(__x86_64__)
+// Without FMA, so that every bit is the same.
+[[gnu::target("avx")]] void fill_with_avx(const Question& asked, std::vector<double>& frequencies) {
+  fill_frequencies(asked, frequencies);
+}
+#endif
 
 }  // namespace
 
 std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& moduli,
                                      const CellStiffness& cells) {
-  std::vector<char> on_axis(body.position.size(), 0);
-  for (const int node : body.axis_nodes) on_axis[node] = 1;
-  std::vector<double> frequencies;
-  frequencies.reserve(body.cells.size());
-  for (std::size_t c = 0; c < body.cells.size(); ++c) {
-    const CellGeometry& cell = body.cells[c];
-    Matrix8 matrix =
-        stiffness_of(cell, moduli, cells.factors.empty() ? nullptr : cells.factors[c].data(),
-                     cells.mean_dilatation);
-    Eigen::Matrix<double, 8, 1> scale;
-    for (int i = 0; i < nodes_per_cell; ++i) {
-      double mass = 0.0;
-      for (int q = 0; q < points_per_cell; ++q)
-        mass += body.density * cell.weight[q] * cell.shape[q][i];
-      // A node on the axis cannot move radially: its row drops out.
-      scale(2 * i) = on_axis[cell.nodes[i]] ? 0.0 : 1.0 / std::sqrt(mass);
-      scale(2 * i + 1) = 1.0 / std::sqrt(mass);
-    }
-    matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix8> solver(matrix, Eigen::EigenvaluesOnly);
-    frequencies.push_back(solver.eigenvalues().maxCoeff());
+  Question asked{body, moduli, cells, std::vector<char>(body.position.size(), 0)};
+  for (const int node : body.axis_nodes) asked.on_axis[node] = 1;
+  std::vector<double> frequencies(body.cells.size());
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx")) {
+    fill_with_avx(asked, frequencies);
+    return frequencies;
   }
+#endif
+  fill_plainly(asked, frequencies);
   return frequencies;
 }
 

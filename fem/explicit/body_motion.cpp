@@ -2,16 +2,21 @@
 
 #include <utility>
 
+#include "fem/explicit/node_passes.hpp"
+
 namespace rebound::fem {
 
 BodyMotion::BodyMotion(const Discretisation& body, double approach, DispersionCorrection dispersion)
     : body_(body), dispersion_(std::move(dispersion)) {
-  const std::size_t size = 2 * (body.position.size() + 1);  // one unused node for padding lanes
+  // Unused nodes behind: the first for padding lanes, all for blocks of the correction.
+  const std::size_t size = 2 * (body.position.size() + NodeLaplacian::padding);
   displacement.assign(size, 0.0);
   velocity.assign(size, 0.0);
   force.assign(size, 0.0);
+  mass_.assign(size, 0.0);
   inverse_mass_.assign(size, 0.0);
   for (int node = 0; node < body.node_count(); ++node) {
+    mass_[2 * node] = mass_[2 * node + 1] = body.mass[node];
     inverse_mass_[2 * node] = inverse_mass_[2 * node + 1] = 1.0 / body.mass[node];
     velocity[2 * node + 1] = -approach;
     total_mass_ += body.mass[node];
@@ -20,16 +25,8 @@ BodyMotion::BodyMotion(const Discretisation& body, double approach, DispersionCo
 }
 
 BodyMotion::Sums BodyMotion::sums() const {
-  double radial = 0.0, axial = 0.0, momentum = 0.0;
-  for (int node = 0; node < body_.node_count(); ++node) {
-    const double m = body_.mass[node];
-    const double vr = velocity[2 * node];
-    const double vz = velocity[2 * node + 1];
-    radial += m * vr * vr;
-    axial += m * vz * vz;
-    momentum += m * vz;
-  }
-  return {.kinetic = 0.5 * (radial + axial) - dispersion_.kinetic(velocity), .momentum = momentum};
+  const WeightedSums sums = weighted_sums(mass_, velocity);
+  return {.kinetic = 0.5 * sums.squares - dispersion_.kinetic(velocity), .momentum = sums.axial};
 }
 
 void BodyMotion::kick(double span, double gravity) {
@@ -39,14 +36,11 @@ void BodyMotion::kick(double span, double gravity) {
 }
 
 void BodyMotion::drift(double span) {
-  for (std::size_t i = 0; i < displacement.size(); ++i) displacement[i] += span * velocity[i];
+  add_scaled(displacement, span, velocity);
 }
 
 double BodyMotion::mean_height() const {
-  double sum = 0.0;
-  for (int node = 0; node < body_.node_count(); ++node)
-    sum += body_.mass[node] * displacement[2 * node + 1];
-  return sum / total_mass_;
+  return weighted_sums(mass_, displacement).axial / total_mass_;
 }
 
 }  // namespace rebound::fem

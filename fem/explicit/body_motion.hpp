@@ -33,7 +33,7 @@ class BodyMotion {
 
  private:
   const Discretisation& body_;
-  std::vector<double> inverse_mass_;
+  std::vector<double> mass_, inverse_mass_;  ///< [node][2]
   DispersionCorrection dispersion_;
   double total_mass_ = 0.0;
 };

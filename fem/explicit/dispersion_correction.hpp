@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
+#include "fem/explicit/node_laplacian.hpp"
 
 namespace rebound::fem {
 
@@ -45,33 +44,23 @@ class DispersionCorrection {
   /// f + L y: the force whose accelerations with the lumped mass are a.
   /// [node][2] (r, z); `inverse_mass` is zero where a node is held.
   std::vector<double> corrected(const std::vector<double>& inverse_mass,
-                                const std::vector<double>& force);
+                                const std::vector<double>& force) const {
+    return laplacian_.added_to(force, inverse_mass);
+  }
 
   /// v − a `span`, in one pass over the nodes.
   void kick(double span, const std::vector<double>& inverse_mass, const std::vector<double>& force,
-            std::vector<double>& velocity);
+            std::vector<double>& velocity) {
+    laplacian_.kick(span, inverse_mass, force, velocity);
+  }
 
   /// ½ vᵀ L v: what the kinetic energy is less than that of the lumped mass [J].
-  double kinetic(const std::vector<double>& velocity) const;
-
-  /// Another node that a node shares a cell with.
-  struct Neighbour {
-    double mass;        ///< −L between them [kg]
-    std::ptrdiff_t at;  ///< of its r in [node][2]
-  };
-  /// A node and its neighbours by number, [begin, end) of all; those of higher number from `upper`.
-  struct Row {
-    std::ptrdiff_t at;
-    int begin, upper, end;
-  };
+  double kinetic(const std::vector<double>& velocity) const {
+    return laplacian_.half_square(velocity);
+  }
 
  private:
-  void find_accelerations(const std::vector<double>& inverse_mass,
-                          const std::vector<double>& force);
-
-  std::vector<Row> rows_;  ///< of every node
-  std::vector<Neighbour> neighbours_;
-  std::vector<double> acceleration_;  ///< y
+  NodeLaplacian laplacian_;  ///< L: of weights m_ij = Σ_c α_c ∫ ρ N_i N_j dV
 };
 
 }  // namespace rebound::fem

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fem/discretisation/discretisation.hpp"
+#include "fem/kernel/cache_line_vector.hpp"
 #include "fem/kernel/cell_kernel.hpp"
 
 namespace rebound::fem {
@@ -33,10 +34,10 @@ class CellBatches {
   PointFactors point_factors_;  ///< of radial layers
   std::vector<double> cell_frequency_squared_;
   std::vector<int> cell_of_slot_;
-  std::vector<int> nodes_;
-  std::vector<double> geometry_;
-  std::vector<double> volume_shares_;  ///< empty: cells without mean dilatation
-  std::vector<double> rest_frequency_squared_;
+  CacheLineVector<int> nodes_;
+  CacheLineVector<double> geometry_;
+  CacheLineVector<double> volume_shares_;  ///< empty: cells without mean dilatation
+  CacheLineVector<double> rest_frequency_squared_;
   CellArrays arrays_;
 };
 
