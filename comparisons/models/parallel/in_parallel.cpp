@@ -12,7 +12,31 @@
 
 #include "lumped/problem/error.hpp"
 
+#ifdef REBOUND_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace rebound {
+namespace {
+
+/// oneTBB is not built with the thread sanitizer, which therefore does not see that it hands work
+/// to a thread and back. It is told so here, and this file is compiled without it, for the same
+/// of the library's headers; what the work itself reads and writes is watched as ever.
+struct HandOver {
+  void give() {
+#ifdef REBOUND_THREAD_SANITIZER
+    __tsan_release(this);
+#endif
+  }
+  void take() {
+#ifdef REBOUND_THREAD_SANITIZER
+    __tsan_acquire(this);
+#endif
+  }
+};
+HandOver to_threads, to_caller;
+
+}  // namespace
 
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
@@ -20,6 +44,7 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
   std::exception_ptr failure;
   std::size_t failed = count;
   const auto take_in_order = [&] {
+    to_threads.take();
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i);
@@ -32,13 +57,16 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
         next = count;
       }
     }
+    to_caller.give();
   };
   const std::size_t workers = std::min<std::size_t>(count, worker_threads());
+  to_threads.give();
   // Isolated: a thread that waits here takes up no piece of an outer call.
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(
         std::size_t{0}, workers, [&](std::size_t) { take_in_order(); }, tbb::simple_partitioner());
   });
+  to_caller.take();
   if (failure) std::rethrow_exception(failure);
 }
 
