@@ -11,6 +11,11 @@ namespace rebound {
 
 namespace {
 
+/// Ceres logs to standard error; its summary says it all. Once: searches run side by side.
+void keep_ceres_quiet() {
+  [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 /// Stops Ceres when the user asks or the fit is exact, and tells how far it is.
 class ProgressCallback final : public ceres::IterationCallback {
  public:
@@ -61,7 +66,7 @@ std::vector<int> at_their_bounds(std::vector<double>& y, const CalibrationProble
 
 Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, CalibrationCost& cost,
                     const RunControl& control) {
-  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs to standard error; its summary says it all
+  keep_ceres_quiet();
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ownership.disable_all_safety_checks = true;  // the cost refuses what is not finite itself
