@@ -50,10 +50,12 @@ inline double least_flowing_exponent(const BranchFlow& flow) {
 }
 
 /// Logarithm of a symmetric positive tensor: mean of the plane, its traceless
-/// part N, and the hoop.
+/// part N, and the hoop; beside it the tensor's largest value in the plane, and its determinant
+/// there.
 template <class T>
 struct Logarithm {
   T plane_mean, n_rr, n_rz, hoop, half_difference;
+  T largest, plane_determinant;
 };
 
 template <class T>
@@ -61,10 +63,11 @@ inline Logarithm<T> logarithm_of(const Symmetric<T>& b) {
   const T mean = 0.5 * (b.rr + b.zz), a = 0.5 * (b.rr - b.zz);
   const T root_squared = a * a + b.rz * b.rz;
   const T root = sqrt(T(root_squared + 1e-40 * mean * mean));
-  const T log_largest = log(T(mean + root));
   Logarithm<T> l;
-  l.plane_mean = 0.5 * log(T(b.rr * b.zz - b.rz * b.rz));
-  l.half_difference = log_largest - l.plane_mean;
+  l.largest = mean + root;
+  l.plane_determinant = b.rr * b.zz - b.rz * b.rz;
+  l.plane_mean = 0.5 * log(l.plane_determinant);
+  l.half_difference = log(l.largest) - l.plane_mean;
   const T inverse_mean = 1.0 / mean;
   const T z = root_squared * inverse_mean * inverse_mean;
   const T series =  // artanh(√z)/√z
@@ -117,15 +120,21 @@ struct BranchPoint {
   T growth;                      ///< as stiffness_growth, over the branch at rest [-]
 };
 
-/// F⁻¹ A F⁻ᵀ.
+/// F⁻¹, by one division.
 template <class T>
-inline Symmetric<T> pulled_back(const Gradient<T>& f, const Symmetric<T>& a) {
-  const T scale = 1.0 / (f.rr * f.zz - f.rz * f.zr);
-  const T rr = f.zz * scale, rz = -f.rz * scale, zr = -f.zr * scale, zz = f.rr * scale;
-  const T tt = 1.0 / f.tt;
-  const T p = rr * a.rr + rz * a.rz, q = rr * a.rz + rz * a.zz;
-  const T s = zr * a.rr + zz * a.rz, t = zr * a.rz + zz * a.zz;
-  return {p * rr + q * rz, s * zr + t * zz, tt * tt * a.tt, p * zr + q * zz};
+inline Gradient<T> inverse_of(const Gradient<T>& f) {
+  const T in_plane = f.rr * f.zz - f.rz * f.zr;
+  const T inverse_jacobian = 1.0 / (in_plane * f.tt);
+  const T scale = inverse_jacobian * f.tt;
+  return {f.zz * scale, -f.rz * scale, -f.zr * scale, f.rr * scale, inverse_jacobian * in_plane};
+}
+
+/// G A Gᵀ, with G = F⁻¹ a pull back.
+template <class T>
+inline Symmetric<T> moved_by(const Gradient<T>& g, const Symmetric<T>& a) {
+  const T p = g.rr * a.rr + g.rz * a.rz, q = g.rr * a.rz + g.rz * a.zz;
+  const T s = g.zr * a.rr + g.zz * a.rz, t = g.zr * a.rz + g.zz * a.zz;
+  return {p * g.rr + q * g.rz, s * g.zr + t * g.zz, g.tt * g.tt * a.tt, p * g.zr + q * g.zz};
 }
 
 template <class T>
@@ -137,12 +146,11 @@ inline T branch_growth(const Logarithm<T>& l, const Symmetric<T>& b,
   StretchTangent<T> tangent;
   T slope[3];
   const T trace = logs[0] + logs[1] + logs[2];
-  const T plane_determinant = b.rr * b.zz - b.rz * b.rz;
-  const T largest =
-      0.5 * (b.rr + b.zz) + sqrt(T(0.25 * (b.rr - b.zz) * (b.rr - b.zz) + b.rz * b.rz + 1e-40));
-  tangent.inverse_square[0] = 1.0 / largest;
-  tangent.inverse_square[1] = largest / plane_determinant;
-  tangent.inverse_square[2] = 1.0 / b.tt;
+  const T inverse = 1.0 / (l.largest * l.plane_determinant * b.tt);  // one division for three
+  const T inverse_plane = inverse * b.tt;
+  tangent.inverse_square[0] = inverse_plane * l.plane_determinant;
+  tangent.inverse_square[1] = inverse_plane * l.largest * l.largest;
+  tangent.inverse_square[2] = inverse * l.largest * l.plane_determinant;
   for (int i = 0; i < 3; ++i) {
     tangent.stress[i] = 2.0 * moduli.shear * logs[i];
     slope[i] = 2.0 * moduli.shear * (1.0 - logs[i]) * tangent.inverse_square[i];
@@ -164,11 +172,7 @@ template <class T>
 inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
                                              const Symmetric<T>& inverse_viscous,
                                              const Moduli& moduli, const BranchFlow& flow) {
-  const auto& v = inverse_viscous;
-  const T p = f.rr * v.rr + f.rz * v.rz, q = f.rr * v.rz + f.rz * v.zz;
-  const T s = f.zr * v.rr + f.zz * v.rz, t = f.zr * v.rz + f.zz * v.zz;
-  const Symmetric<T> b{p * f.rr + q * f.rz, s * f.zr + t * f.zz, f.tt * f.tt * v.tt,
-                       p * f.zr + q * f.zz};
+  const Symmetric<T> b = moved_by(f, inverse_viscous);
   const Logarithm<T> l = logarithm_of(b);
   // ε = ½ ln b: mean third of its trace, deviator.
   const T third = (1.0 / 6.0) * (2.0 * l.plane_mean + l.hoop);
@@ -183,12 +187,13 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
   if (flow.power != 0.0) shares = shares_left(q_squared, flow);  // of the branch, not of a point
   const T left = shares.first, both = shares.both;
   BranchPoint<T> point;
-  point.growth = branch_growth(l, b, v, moduli);
+  point.growth = branch_growth(l, b, inverse_viscous, moduli);
   const T twice = 2.0 * moduli.shear * left;
   const T pressure = 3.0 * moduli.bulk * left * third;
-  point.stress = pulled_back(
-      f, Symmetric<T>{twice * (plane + n_rr) + pressure, twice * (plane - n_rr) + pressure,
-                      twice * hoop + pressure, twice * n_rz});
+  const Gradient<T> inverse = inverse_of(f);
+  point.stress = moved_by(
+      inverse, Symmetric<T>{twice * (plane + n_rr) + pressure, twice * (plane - n_rr) + pressure,
+                            twice * hoop + pressure, twice * n_rz});
   const T at_start = moduli.shear * (deviator + volume);
   point.energy = at_start * left * left;
   point.dissipated_before = at_start * (1.0 - left * left);
@@ -209,8 +214,8 @@ inline BranchPoint<T> advance_multiplicative(const Gradient<T>& f,
   const T cosh = 0.5 * (e + inverse_e);
   const T shear = 2.0 * both * scale * sinhc;
   point.inverse_viscous =
-      pulled_back(f, Symmetric<T>{scale * cosh + shear * n_rr, scale * cosh - shear * n_rr,
-                                  exp(T(2.0 * (both * hoop + mean))), shear * n_rz});
+      moved_by(inverse, Symmetric<T>{scale * cosh + shear * n_rr, scale * cosh - shear * n_rr,
+                                     exp(T(2.0 * (both * hoop + mean))), shear * n_rz});
   return point;
 }
 
