@@ -95,6 +95,23 @@ TEST(NextExperimentTest, ThePredictedChanceIsTheShareThatIsSeen) {
   }
 }
 
+// The rival is out once it is behind by the close criterion: what the truth leads by already
+// counts.
+TEST(NextExperimentTest, ALeadInHandRaisesTheChance) {
+  const Observations seen = observed(experiment_at({5.0, 8.0}, 1));
+  HypothesisFit truth = fit_of(seen, exponent);
+  const HypothesisFit rival = fit_of(seen, stiffening);
+  const auto chance_with_lead = [&](double lead, double close) {
+    truth.information_criterion = rival.information_criterion - lead;
+    return chance_that_truth_wins(seen, held_by_the_data(truth), held_by_the_data(rival),
+                                  history_at_times(3.0), close);
+  };
+  EXPECT_LT(chance_with_lead(-3.0, 6.0), chance_with_lead(0.0, 6.0));
+  EXPECT_LT(chance_with_lead(0.0, 6.0), chance_with_lead(3.0, 6.0));
+  // A lead and a criterion that is as much lower are the same.
+  EXPECT_NEAR(chance_with_lead(4.0, 6.0), chance_with_lead(0.0, 2.0), 1e-9);
+}
+
 TEST(NextExperimentTest, WhatIsThereIsNotProposed) {
   Observations seen = observed(experiment_at({5.0, 8.0}, 1));
   const auto says = [&](const std::string& word) {
