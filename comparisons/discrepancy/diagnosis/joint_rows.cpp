@@ -120,11 +120,16 @@ std::vector<double> JointModel::deflection_at(const std::vector<double>& values,
 double JointModel::scalar_at(const std::vector<double>& values, std::size_t shot,
                              const ScalarQuantity& scalar) const {
   const ModelledImpact& result = impact(values, shot);
+  const auto& fem = hypothesis_.model_discrepancy;
+  const MeasuredImpact& measured = seen_.shots[shot];
+  const double ratio = fem ? fem->ratio_of(scalar, measured.ball, measured.impact.speed) : 1.0;
   const double itself = result.scalars.*scalar.modelled;
   if (scalar.what == ObservedQuantity::contact_time)
-    return reported_contact_time(result.trace, itself, chain_at(values, shot).contact_threshold);
-  if (scalar.what == ObservedQuantity::peak_force) return reported(itself, chain_at(values, shot));
-  return itself;
+    return ratio *
+           reported_contact_time(result.trace, itself, chain_at(values, shot).contact_threshold);
+  if (scalar.what == ObservedQuantity::peak_force)
+    return reported(ratio * itself, chain_at(values, shot));
+  return ratio * itself;
 }
 
 MeasuredImpact JointModel::as_seen(const std::vector<double>& values, std::size_t shot) const {

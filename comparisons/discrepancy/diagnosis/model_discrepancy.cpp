@@ -65,7 +65,7 @@ Observations as_observed(const Ball& ball, const std::vector<Impact>& impacts,
 }
 
 DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impact& impact,
-                          const Trace& fem) {
+                          const ModelledImpact& fem) {
   const ModelledImpact& lumped = fit.model->impact(fit.values, shot);
   DiscrepancyCurve curve{.speed = impact.speed,
                          .first_phase = first_phase,
@@ -76,9 +76,13 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
     time.push_back((first_phase + k * curve.phase_step) * lumped.scalars.contact_time);
   const std::vector<double> model = reported_force(lumped.trace, {}, time);
   const MeasurementChain clock{.trigger_shift = -fit.model->first_touch(fit.values, shot)};
-  const std::vector<double> fem_fit = reported_force(fem, clock, time);
+  const std::vector<double> fem_fit = reported_force(fem.trace, clock, time);
   for (std::size_t k = 0; k < time.size(); ++k)
     curve.force.push_back((fem_fit[k] - model[k]) / lumped.scalars.peak_force);
+  for (std::size_t k = 0; k < scalar_quantities.size(); ++k) {
+    const auto modelled = scalar_quantities[k].modelled;
+    curve.scalar_shares[k] = fem.scalars.*modelled / lumped.scalars.*modelled - 1.0;
+  }
   return curve;
 }
 
@@ -106,14 +110,27 @@ double DiscrepancyCurve::at(double phase) const {
   return (1.0 - rest) * force[i] + rest * force[i + 1];
 }
 
-Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scalars,
-                                 std::size_t ball, double speed) const {
+const DiscrepancyCurve& ModelDiscrepancy::curve_at(std::size_t ball, double speed) const {
   const auto curve = std::find_if(curves.begin(), curves.end(), [&](const DiscrepancyCurve& c) {
     return c.ball == ball && one_distance(c.speed, speed);
   });
   if (curve == curves.end())
     throw Error(ExitCode::bad_input,
                 fmt::format("no distance between the tiers at {:g} m/s", speed));
+  return *curve;
+}
+
+double ModelDiscrepancy::ratio_of(const ScalarQuantity& scalar, std::size_t ball,
+                                  double speed) const {
+  const auto place = std::find_if(scalar_quantities.begin(), scalar_quantities.end(),
+                                  [&](const auto& one) { return one.what == scalar.what; });
+  const auto k = static_cast<std::size_t>(place - scalar_quantities.begin());
+  return 1.0 + curve_at(ball, speed).scalar_shares[k];
+}
+
+Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scalars,
+                                 std::size_t ball, double speed) const {
+  const DiscrepancyCurve& curve = curve_at(ball, speed);
   const double duration = scalars.contact_time;
   const double end = std::max(last_phase * duration, lumped.time.back());
   const double step = duration / samples_per_contact;
@@ -121,7 +138,7 @@ Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scala
   for (double t = first_phase * duration; t <= end; t += step) sum.time.push_back(t);
   sum.force = reported_force(lumped, {}, sum.time);
   for (std::size_t i = 0; i < sum.time.size(); ++i)
-    sum.force[i] += scalars.peak_force * curve->at(sum.time[i] / duration);
+    sum.force[i] += scalars.peak_force * curve.at(sum.time[i] / duration);
   return sum;
 }
 
@@ -132,6 +149,7 @@ struct BallInFem {
   std::vector<ModelledImpact> impacts;  ///< on the finer mesh
   std::vector<KnownDifferences> known;  ///< what that mesh adds, at these speeds alone
   double error = 0.0;                   ///< of their histories, over the peak
+  std::array<double, scalar_quantities.size()> scalar_errors{};  ///< shares
 };
 
 BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const Material& material,
@@ -153,6 +171,11 @@ BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const M
                        .reach = 0.0};
   });
   result.error = *std::max_element(errors.begin(), errors.end());
+  for (const KnownDifferences& one : result.known)
+    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
+      result.scalar_errors[k] = std::max(
+          result.scalar_errors[k],
+          still_missing * std::abs(one.finer.ratio_of(scalar_quantities[k].modelled) - 1.0));
   return result;
 }
 
@@ -197,12 +220,14 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
     const std::vector<Impact> impacts = impacts_of(all, ball);
     const BallInFem in_fem = run_ball(ball, impacts, materials[ball], coarse, fine);
     gap.numerical_uncertainty = std::max(gap.numerical_uncertainty, in_fem.error);
+    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
+      gap.scalar_uncertainty[k] = std::max(gap.scalar_uncertainty[k], in_fem.scalar_errors[k]);
     known.insert(known.end(), in_fem.known.begin(), in_fem.known.end());
     const Observations as_data = as_observed(all.balls[ball], impacts, in_fem.impacts);
     hypothesis.effects = effects_of_ball(fit.effects, ball);
     const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
-      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem.impacts[i].trace));
+      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem.impacts[i]));
       gap.curves.back().ball = ball;
     }
   }
@@ -212,6 +237,9 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
 
 Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepancy& gap) {
   for (MeasuredImpact& shot : seen.shots) {
+    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
+      if (Measured& one = shot.*scalar_quantities[k].measured; one.has_error())
+        one.uncertainty = std::hypot(*one.uncertainty, gap.scalar_uncertainty[k] * *one.value);
     if (!shot.has_history()) continue;
     // It enters twice: in the fem_fit, and in the lumped model refitted to the fem_fit.
     add_numerical_error(shot,

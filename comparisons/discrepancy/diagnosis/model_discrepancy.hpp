@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
+#include "comparisons/io/dataset/measured_impact.hpp"
 #include "lumped/problem/result.hpp"
 #include "lumped/problem/run_control.hpp"
 #include "lumped/problem/trace.hpp"
@@ -23,6 +25,8 @@ struct DiscrepancyCurve {
   double first_phase = 0.0;  ///< t over the lumped contact time at the first point
   double phase_step = 0.0;
   std::vector<double> force;  ///< (FE − lumped) / peak force of the lumped model
+  /// FE over lumped less one, of each of scalar_quantities [-].
+  std::array<double, scalar_quantities.size()> scalar_shares{};
 
   /// Linear between points, zero outside.
   double at(double phase) const;
@@ -37,6 +41,8 @@ struct ModelDiscrepancy {
   /// Error of FE's histories, rms over the contact, over the peak force: the part of the error
   /// budget that is FE's own [-].
   double numerical_uncertainty = 0.0;
+  /// The same of a scalar, the largest of all balls and speeds, of each of scalar_quantities [-].
+  std::array<double, scalar_quantities.size()> scalar_uncertainty{};
   std::vector<int> cells;        ///< of the two meshes, of the finest ball
   std::vector<FittedFem> balls;  ///< FE's own idea of each ball
   /// Those balls, corrected by the finer mesh at the speeds of the data.
@@ -48,6 +54,16 @@ struct ModelDiscrepancy {
   /// Errors: Error(bad_input) for a speed that has no curve.
   Trace added_to(const Trace& lumped, const ImpactScalars& scalars, std::size_t ball,
                  double speed) const;
+
+  /// What a scalar of the lumped model is multiplied by, at the same ball and speed: the rebound
+  /// of a body that still vibrates is not that of a force history alone.
+  /// Limit:  curves of nothing change nothing; a ratio acts on the scalar that was measured
+  ///         -> test JointModelTest.WhatFemAddsActsOnScalarsToo
+  /// Errors: as added_to().
+  double ratio_of(const ScalarQuantity& scalar, std::size_t ball, double speed) const;
+
+ private:
+  const DiscrepancyCurve& curve_at(std::size_t ball, double speed) const;
 };
 
 /// Shots of a ball that FE is fitted to: of those that were seen one with a history at each speed.
@@ -63,7 +79,7 @@ struct OwnMesh {
 ///
 ///   1 of each ball FE's own material, fitted to the histories in `seen` (fit_fem_model)
 ///   2 its force histories at every speed of `all`, on a mesh of half the edge
-///   3 the lumped model refitted to those; what is left is the gap
+///   3 the lumped model refitted to those; what is left is the gap, over time and of scalars
 ///
 /// The numerical uncertainty is 0.55 of what both meshes differ by: what order 3/2 leaves, which is
 /// that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
@@ -75,7 +91,7 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
                                            const HypothesisFit& fit, const OwnMesh& own,
                                            const RunControl& control);
 
-/// Data whose noise holds the numerical uncertainty of FE as well.
+/// Data whose noise, and whose scalars' uncertainty, holds the numerical uncertainty of FE as well.
 Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepancy& gap);
 
 }  // namespace rebound

@@ -49,5 +49,35 @@ TEST(JointModelTest, SoAreThoseOnAPlateThatGivesWay) {
   EXPECT_LT(error_between_samples({{"plate-compliance", 1e-9, {}}}), 2e-5);
 }
 
+// A stated restitution is that of the body too: what its waves keep does not show in the force
+// alone.
+TEST(JointModelTest, WhatFemAddsActsOnScalarsToo) {
+  const SynthesisFile file = testing::experiment_with({}, 1);
+  Observations seen = observe({synthesize(file, simulator_of(file, {})).dataset});
+  for (MeasuredImpact& shot : seen.shots)
+    for (const ScalarQuantity& scalar : scalar_quantities) (shot.*scalar.measured).value = 1.0;
+  auto gap = std::make_shared<ModelDiscrepancy>();
+  for (const MeasuredImpact& shot : seen.shots) {
+    DiscrepancyCurve curve{.speed = shot.impact.speed,
+                           .first_phase = -0.1,
+                           .phase_step = 0.1,
+                           .force = std::vector<double>(15, 0.0)};
+    curve.scalar_shares[0] = -0.05;
+    gap->curves.push_back(curve);
+  }
+  const Hypothesis alone{
+      .believed = testing::believed_law(), .effects = {}, .model_discrepancy = nullptr};
+  Hypothesis beside_fem = alone;
+  beside_fem.model_discrepancy = gap;
+  const JointModel without(seen, alone), with(seen, beside_fem);
+  for (std::size_t i = 0; i < seen.shots.size(); ++i)
+    for (const ScalarQuantity& scalar : scalar_quantities) {
+      const double ratio = *(with.as_seen(with.start(), i).*scalar.measured).value /
+                           *(without.as_seen(without.start(), i).*scalar.measured).value;
+      EXPECT_NEAR(ratio, scalar.what == ObservedQuantity::restitution ? 0.95 : 1.0, 1e-12)
+          << scalar.key;
+    }
+}
+
 }  // namespace
 }  // namespace rebound

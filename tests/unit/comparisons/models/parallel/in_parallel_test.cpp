@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -34,11 +35,19 @@ TEST(InParallelTest, AnErrorEndsIt) {
   EXPECT_LE(begun, worker_threads());
 }
 
+// Both are under way before either fails, and the one or the other fails first.
 TEST(InParallelTest, TheSmallestIndexThatFailsIsReported) {
-  for (int round = 0; round < 50; ++round) {
+  using namespace std::chrono_literals;
+  for (const std::size_t slower : {1, 2, 1, 2}) {
+    std::atomic<int> begun = 0;
+    const auto both = [&] { return begun == 2 || worker_threads() < 2; };
     try {
-      in_parallel(8, [](std::size_t i) {
-        if (i == 1 || i == 2) throw std::runtime_error(std::to_string(i));
+      in_parallel(8, [&](std::size_t i) {
+        if (i != 1 && i != 2) return;
+        ++begun;
+        for (int waited = 0; !both() && waited < 1000; ++waited) std::this_thread::sleep_for(1ms);
+        if (i == slower) std::this_thread::sleep_for(20ms);
+        throw std::runtime_error(std::to_string(i));
       });
       FAIL() << "no error came through";
     } catch (const std::runtime_error& error) {
