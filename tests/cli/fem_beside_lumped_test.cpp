@@ -102,7 +102,7 @@ TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
   const auto found = beside_lumped(
       ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
            branch("1.0", "0.04 ms") + "[[model.effect]]\nname = \"hysteresis\"\nsize = 0.5\n"),
-      "4 N");
+      "8 N");  // quieter, and the rounding of an FE step decides how far its search comes
   EXPECT_EQ(found["verdict"], "family") << found["warnings"];
   EXPECT_EQ(found["family"], "history");
   EXPECT_TRUE(found["gap"]["after"].is_null()) << "no lumped model stands behind it";
