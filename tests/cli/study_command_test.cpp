@@ -1,3 +1,5 @@
+#include <map>
+
 #include "tests/cli/program.hpp"
 
 namespace rebound::testing {
@@ -67,6 +69,19 @@ label = "T"
 data = "ball"
 )";
 
+/// The matrices of a page by their titles, as its figures read them.
+std::map<std::string, nlohmann::json> matrices_of(const std::string& page) {
+  const std::string opening = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const auto data =
+      nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  std::map<std::string, nlohmann::json> matrices;
+  for (const auto& section : data["sections"])
+    for (const auto& block : section["blocks"])
+      if (block["kind"] == "matrix") matrices[block["title"]] = block;
+  return matrices;
+}
+
 class StudyCommandTest : public ProgramTest {
  protected:
   void SetUp() override {
@@ -90,9 +105,17 @@ TEST_F(StudyCommandTest, GoesFromDataToReport) {
     // The fit has one unknown for the loss: restitution must be met.
     EXPECT_NEAR(shot["fem"]["restitution"].get<double>(),
                 shot["measured"]["restitution"].get<double>(), 0.06);
+    EXPECT_GT(shot["fem"]["cells"], shot["fem_coarse"]["cells"]);
   }
   for (const auto& law : core["laws"]) EXPECT_EQ(law["scores"].size(), 2u) << law["label"];
   const std::string page = read_whole(folder.path() / "results/report.html");
+  const auto matrices = matrices_of(page);
+  for (std::size_t law = 0; law < core["laws"].size(); ++law) {
+    const auto& score = core["laws"][law]["scores"][0];
+    const auto& shown = matrices.at("Force history against FE")["rows"][law]["cells"][0];
+    EXPECT_DOUBLE_EQ(shown["value"].get<double>(),
+                     100.0 * score["force_time_rms_of_peak"].get<double>());
+  }
   EXPECT_NE(page.find("test ball"), std::string::npos);
   EXPECT_EQ(page.find("A study of </script>"), std::string::npos);
   EXPECT_EQ(page.find("Unfinished"), std::string::npos);
