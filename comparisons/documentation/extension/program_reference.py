@@ -79,7 +79,10 @@ def command_page(name, purpose, help_text):
 
 def resolved(schema, root):
     while "$ref" in schema:
-        schema = root["$defs"][schema["$ref"].removeprefix("#/$defs/")]
+        keys = schema["$ref"].removeprefix("#/").split("/")
+        schema = root
+        for key in keys:
+            schema = schema[key]
     return schema
 
 
