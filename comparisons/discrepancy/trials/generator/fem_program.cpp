@@ -48,6 +48,7 @@ std::string text_of(const fs::path& file) {
 /// Exit code of a program, its messages in a file.
 int run(std::vector<std::string> arguments, const fs::path& messages) {
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& one : arguments) pointers.push_back(one.data());
   pointers.push_back(nullptr);
   constexpr int readable = 0600;
