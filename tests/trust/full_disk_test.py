@@ -47,7 +47,7 @@ class Disk:
         left = [str(p) for p in out.rglob("*.partial-*")] if out.exists() else []
         if torn or left:
             self.failures.append(f"{name}, {where}: torn {torn}, left {left}")
-        if run.returncode == 4 and not re.match(r"rebound: \S*/\S+: ", run.stderr.strip()):
+        if run.returncode == 4 and not re.search(r"^rebound: \S*/\S+: ", run.stderr, re.MULTILINE):
             self.failures.append(f"{name}, {where}: no file is named: {run.stderr}")
         if run.returncode not in ((4,) if must_fail else (0, 1, 4)):
             self.failures.append(f"{name}, {where}: exit {run.returncode}: {run.stderr[-300:]}")
