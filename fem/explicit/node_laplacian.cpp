@@ -56,19 +56,21 @@ struct Masses<Octet> {
 template <class Vector>
 inline constexpr int vectors = static_cast<int>(sizeof(Octet) / sizeof(Vector));
 
-template <class Vector>
-[[gnu::always_inline]] inline void add_differences(const Diagonals& d, int b, const double* y,
-                                                   Vector* sum) {
+/// add(i, mass, apart) for each vector of a block and each of its diagonals from `first` on.
+template <class Vector, class Add>
+[[gnu::always_inline]] inline void each_difference(const Diagonals& d, int b, int first,
+                                                   const double* y, const Add& add) {
   Vector own[vectors<Vector>];
   std::memcpy(own, y + b * block_values, sizeof(Octet));
-  for (int k = d.blocks[b].begin; k < d.blocks[b].end; ++k) {
+  for (int k = first; k < d.blocks[b].end; ++k) {
     Vector other[vectors<Vector>], mass;
     Masses<Vector> masses[vectors<Vector>];
     std::memcpy(other, y + d.at[k], sizeof(Octet));
     std::memcpy(masses, d.mass + block_size * k, sizeof(masses));
     for (int i = 0; i < vectors<Vector>; ++i) {
       masses[i].spread(mass);
-      sum[i] += mass * (own[i] - other[i]);
+      const Vector apart = own[i] - other[i];
+      add(i, mass, apart);
     }
   }
 }
@@ -79,7 +81,11 @@ template <class Vector>
                                               double* velocity) {
   Vector moving[vectors<Vector>], share[vectors<Vector>], v[vectors<Vector>];
   std::memcpy(moving, force, sizeof(Octet));
-  add_differences(d, b, kick.y, moving);
+  each_difference<Vector>(
+      d, b, d.blocks[b].begin,
+      kick.y, [&](int i, const Vector& mass, const Vector& apart) __attribute__((always_inline)) {
+        moving[i] += mass * apart;
+      });
   std::memcpy(share, inverse_mass, sizeof(Octet));
   std::memcpy(v, velocity, sizeof(Octet));
   for (int i = 0; i < vectors<Vector>; ++i) v[i] -= kick.span * moving[i] * share[i];
@@ -106,21 +112,12 @@ template <class Vector>
 template <class Vector>
 [[gnu::always_inline]] inline double half_square_of(const Diagonals& d, const double* v) {
   Vector sum[vectors<Vector>] = {};
-  for (int b = 0; b * block_size < d.nodes; ++b) {
-    Vector own[vectors<Vector>];
-    std::memcpy(own, v + b * block_values, sizeof(Octet));
-    for (int k = d.blocks[b].upper; k < d.blocks[b].end; ++k) {
-      Vector other[vectors<Vector>], mass;
-      Masses<Vector> masses[vectors<Vector>];
-      std::memcpy(other, v + d.at[k], sizeof(Octet));
-      std::memcpy(masses, d.mass + block_size * k, sizeof(masses));
-      for (int i = 0; i < vectors<Vector>; ++i) {
-        masses[i].spread(mass);
-        const Vector apart = own[i] - other[i];
-        sum[i] += mass * (apart * apart);
-      }
-    }
-  }
+  for (int b = 0; b * block_size < d.nodes; ++b)
+    each_difference<Vector>(
+        d, b, d.blocks[b].upper,
+        v, [&](int i, const Vector& mass, const Vector& apart) __attribute__((always_inline)) {
+          sum[i] += mass * (apart * apart);
+        });
   double values[block_values];
   std::memcpy(values, sum, sizeof(Octet));
   double total = 0.0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "comparisons/models/effects/effect.hpp"
 #include "tests/support/lumped_cases.hpp"
@@ -17,6 +18,15 @@ inline LumpedProblem problem_for_effects() {
   problem.model.parameters = {{"exponent", 1.5}, {"stiffness", 2.2e6}};
   problem.model.restitution = 0.6;
   problem.model.damping_formula = "hunt-crossley";
+  return problem;
+}
+
+/// Hertz's force without any loss of its own.
+inline LumpedProblem elastic_with(const std::vector<EffectChoice>& effects) {
+  LumpedProblem problem{.sphere = core_a(), .impact = {.speed = 10.0}};
+  problem.model.law = "hunt-crossley";
+  problem.model.parameters = {{"exponent", 1.5}, {"stiffness", 3.0e6}, {"damping", 0.0}};
+  apply_effects(effects, problem);
   return problem;
 }
 

@@ -64,6 +64,14 @@ Observations as_observed(const Ball& ball, const std::vector<Impact>& impacts,
   return seen;
 }
 
+/// What `second` has more of each scalar than `first`.
+ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& second) {
+  ScalarShares shares;
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    shares[k] = second.*scalar_quantities[k].modelled / first.*scalar_quantities[k].modelled - 1.0;
+  return shares;
+}
+
 DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impact& impact,
                           const ModelledImpact& fem) {
   const ModelledImpact& lumped = fit.model->impact(fit.values, shot);
@@ -79,10 +87,7 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
   const std::vector<double> fem_fit = reported_force(fem.trace, clock, time);
   for (std::size_t k = 0; k < time.size(); ++k)
     curve.force.push_back((fem_fit[k] - model[k]) / lumped.scalars.peak_force);
-  for (std::size_t k = 0; k < scalar_quantities.size(); ++k) {
-    const auto modelled = scalar_quantities[k].modelled;
-    curve.scalar_shares[k] = fem.scalars.*modelled / lumped.scalars.*modelled - 1.0;
-  }
+  curve.scalars = shares_added(lumped.scalars, fem.scalars);
   return curve;
 }
 
@@ -125,7 +130,7 @@ double ModelDiscrepancy::ratio_of(const ScalarQuantity& scalar, std::size_t ball
   const auto place = std::find_if(scalar_quantities.begin(), scalar_quantities.end(),
                                   [&](const auto& one) { return one.what == scalar.what; });
   const auto k = static_cast<std::size_t>(place - scalar_quantities.begin());
-  return 1.0 + curve_at(ball, speed).scalar_shares[k];
+  return 1.0 + curve_at(ball, speed).scalars[k];
 }
 
 Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scalars,
@@ -149,7 +154,7 @@ struct BallInFem {
   std::vector<ModelledImpact> impacts;  ///< on the finer mesh
   std::vector<KnownDifferences> known;  ///< what that mesh adds, at these speeds alone
   double error = 0.0;                   ///< of their histories, over the peak
-  std::array<double, scalar_quantities.size()> scalar_errors{};  ///< shares
+  ScalarShares scalar_errors{};         ///< of their scalars
 };
 
 BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const Material& material,
@@ -160,10 +165,12 @@ BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const M
   result.impacts.resize(impacts.size());
   result.known.resize(impacts.size());
   std::vector<double> errors(impacts.size());
+  std::vector<ScalarShares> added(impacts.size());
   in_parallel(impacts.size(), [&](std::size_t i) {
     const ModelledImpact before = coarse.run(ball, impacts[i], material, {});
     result.impacts[i] = fine.run(ball, impacts[i], material, {});
     errors[i] = still_missing * history_difference(before, result.impacts[i]);
+    added[i] = shares_added(before.scalars, result.impacts[i].scalars);
     result.known[i] = {.ball = ball,
                        .speed = impacts[i].speed,
                        .finer = difference_between(before, result.impacts[i]),
@@ -171,11 +178,10 @@ BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const M
                        .reach = 0.0};
   });
   result.error = *std::max_element(errors.begin(), errors.end());
-  for (const KnownDifferences& one : result.known)
-    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
-      result.scalar_errors[k] = std::max(
-          result.scalar_errors[k],
-          still_missing * std::abs(one.finer.ratio_of(scalar_quantities[k].modelled) - 1.0));
+  for (const ScalarShares& shares : added)
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      result.scalar_errors[k] =
+          std::max(result.scalar_errors[k], still_missing * std::abs(shares[k]));
   return result;
 }
 

@@ -17,6 +17,9 @@ namespace rebound {
 struct HypothesisFit;
 class FemBelief;
 
+/// A share for each of scalar_quantities, in their order [-].
+using ScalarShares = std::array<double, scalar_quantities.size()>;
+
 /// What FE adds to the lumped model of one impact when nothing is hidden, free
 /// of scale.
 struct DiscrepancyCurve {
@@ -25,8 +28,7 @@ struct DiscrepancyCurve {
   double first_phase = 0.0;  ///< t over the lumped contact time at the first point
   double phase_step = 0.0;
   std::vector<double> force;  ///< (FE − lumped) / peak force of the lumped model
-  /// FE over lumped less one, of each of scalar_quantities [-].
-  std::array<double, scalar_quantities.size()> scalar_shares{};
+  ScalarShares scalars{};     ///< FE over lumped less one
 
   /// Linear between points, zero outside.
   double at(double phase) const;
@@ -41,10 +43,9 @@ struct ModelDiscrepancy {
   /// Error of FE's histories, rms over the contact, over the peak force: the part of the error
   /// budget that is FE's own [-].
   double numerical_uncertainty = 0.0;
-  /// The same of a scalar, the largest of all balls and speeds, of each of scalar_quantities [-].
-  std::array<double, scalar_quantities.size()> scalar_uncertainty{};
-  std::vector<int> cells;        ///< of the two meshes, of the finest ball
-  std::vector<FittedFem> balls;  ///< FE's own idea of each ball
+  ScalarShares scalar_uncertainty{};  ///< the same, the largest of all balls and speeds
+  std::vector<int> cells;             ///< of the two meshes, of the finest ball
+  std::vector<FittedFem> balls;       ///< FE's own idea of each ball
   /// Those balls, corrected by the finer mesh at the speeds of the data.
   std::shared_ptr<const FemBelief> fem;
 

@@ -115,12 +115,18 @@ report::Section protocol_section(const TrialScores& scores) {
   return section;
 }
 
-/// Balls in finite elements, beside those of a law.
-report::Section fem_section(const TrialScores& scores) {
-  report::Section section{.title = "Balls in finite elements", .blocks = {gate_table(scores)}};
+/// What was asked, and for balls in finite elements false alarms by what they are made of.
+report::Section score_section(const std::string& title, const TrialScores& scores) {
+  report::Section section{.title = title, .blocks = {gate_table(scores)}};
   if (!scores.false_alarms_by_ball.empty())
     section.blocks.push_back(share_table("By material", "Nulls for which a gap was said.",
                                          "what the ball is made of", scores.false_alarms_by_ball));
+  return section;
+}
+
+/// Balls in finite elements, beside those of a law.
+report::Section fem_section(const TrialScores& scores) {
+  report::Section section = score_section("Balls in finite elements", scores);
   if (!scores.confusion.empty())
     section.blocks.push_back(confusion_matrix(scores.confusion, "By family, in finite elements",
                                               "hidden family", "what was said"));
@@ -166,11 +172,7 @@ report::Report trial_report(const TrialScores& scores) {
                             fmt::format("Outcomes of {} protocols were taken together: these are "
                                         "not one error rate.",
                                         scores.protocols.size())});
-  page.sections.push_back({.title = "Scores", .blocks = {gate_table(scores)}});
-  if (!scores.false_alarms_by_ball.empty())
-    page.sections.back().blocks.push_back(
-        share_table("By material", "Nulls for which a gap was said.", "what the ball is made of",
-                    scores.false_alarms_by_ball));
+  page.sections.push_back(score_section("Scores", scores));
   if (scores.in_fem) page.sections.push_back(fem_section(*scores.in_fem));
   report::Section power{.title = "Power", .blocks = {}};
   for (const RateTable& rates : scores.rates)

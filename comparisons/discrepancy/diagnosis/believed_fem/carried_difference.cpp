@@ -50,12 +50,6 @@ CarriedDifference difference_between(const ModelledImpact& first, const Modelled
   return difference;
 }
 
-double CarriedDifference::ratio_of(double ImpactScalars::*scalar) const {
-  for (const auto& [one, ratio] : ratios)
-    if (one == scalar) return this->*ratio;
-  return 1.0;
-}
-
 void CarriedDifference::apply(ModelledImpact& impact) const {
   apply_times(impact, 1.0);
 }

@@ -23,8 +23,6 @@ struct CarriedDifference {
   double restitution = 1.0, rebound_speed = 1.0, contact_time = 1.0, contact_time_1pct = 1.0,
          peak_force = 1.0, peak_deflection = 1.0, mean_deflection = 1.0;
 
-  /// Of one scalar, 1 where none is carried.
-  double ratio_of(double ImpactScalars::*scalar) const;
   void apply(ModelledImpact& impact) const;
   /// The difference so many times over: scalars and the duration by powers of their ratios, as laws
   /// of power in the speed have it; the shape of the history by shares.

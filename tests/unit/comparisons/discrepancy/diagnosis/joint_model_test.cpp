@@ -62,7 +62,7 @@ TEST(JointModelTest, WhatFemAddsActsOnScalarsToo) {
                            .first_phase = -0.1,
                            .phase_step = 0.1,
                            .force = std::vector<double>(15, 0.0)};
-    curve.scalar_shares[0] = -0.05;
+    curve.scalars[0] = -0.05;
     gap->curves.push_back(curve);
   }
   const Hypothesis alone{

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "comparisons/discrepancy/trials/trial_controls.hpp"
 #include "comparisons/discrepancy/trials/trial_run.hpp"
+#include "comparisons/discrepancy/trials/trial_score.hpp"
 
 /// Trials as they would stand after a run, made by hand.
 namespace rebound::testing {
@@ -49,6 +52,16 @@ inline TrialOutcome said(int trial, const std::string& verdict, const std::strin
 inline TrialCollection trials_of(const std::vector<TrialOutcome>& outcomes,
                                  const std::vector<TrialTruth>& truths) {
   return {.records = records_of(outcomes, truths), .protocols = {}};
+}
+
+inline const TrialGate& gate(const std::vector<TrialGate>& gates, const std::string& what) {
+  for (const TrialGate& one : gates)
+    if (one.what == what) return one;
+  throw std::runtime_error("no gate " + what);
+}
+
+inline const TrialGate& gate(const TrialScores& scores, const std::string& what) {
+  return gate(scores.gates, what);
 }
 
 }  // namespace rebound::testing

@@ -13,16 +13,11 @@
 namespace rebound {
 namespace {
 
+using testing::gate;
 using testing::hidden;
 using testing::nothing_hidden;
 using testing::said;
 using testing::trials_of;
-
-const TrialGate& gate(const TrialScores& scores, const std::string& what) {
-  for (const TrialGate& one : scores.gates)
-    if (one.what == what) return one;
-  throw std::runtime_error("no gate " + what);
-}
 
 TEST(TrialScoreInFemTest, BallsInFiniteElementsAreScoredByThemselves) {
   const auto of_a_body = [](TrialTruth truth, const std::string& ball = "foam") {

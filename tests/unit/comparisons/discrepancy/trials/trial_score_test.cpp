@@ -18,20 +18,11 @@
 namespace rebound {
 namespace {
 
+using testing::gate;
 using testing::hidden;
 using testing::nothing_hidden;
 using testing::said;
 using testing::trials_of;
-
-const TrialGate& gate(const std::vector<TrialGate>& gates, const std::string& what) {
-  for (const TrialGate& one : gates)
-    if (one.what == what) return one;
-  throw std::runtime_error("no gate " + what);
-}
-
-const TrialGate& gate(const TrialScores& scores, const std::string& what) {
-  return gate(scores.gates, what);
-}
 
 // 2 of 20: Wilson 1927 gives [0.028, 0.301].
 TEST(TrialScoreTest, WilsonInterval) {

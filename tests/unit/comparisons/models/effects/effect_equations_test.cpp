@@ -10,19 +10,11 @@
 namespace rebound {
 namespace {
 
-LumpedProblem elastic_with(const EffectChoice& effect) {
-  LumpedProblem problem{.sphere = test::core_a(), .impact = {.speed = 10.0}};
-  problem.model.law = "hunt-crossley";
-  problem.model.parameters = {{"exponent", 1.5}, {"stiffness", 3.0e6}, {"damping", 0.0}};
-  apply_effects({effect}, problem);
-  return problem;
-}
-
 // One branch of a spectrum alone is the effect of one relaxation time.
 TEST(EffectEquationsTest, BranchesOfASpectrumAreSixTimesApart) {
   constexpr double time = 0.5e-3, share = 0.4;
   const auto of = [](const EffectChoice& effect) {
-    return simulate_fast(elastic_with(effect)).scalars;
+    return simulate_fast(test::elastic_with({effect})).scalars;
   };
   const auto single = of({"relaxation", share, {{"relaxation_time", time}}});
   const auto fast =
@@ -57,7 +49,7 @@ TEST(EffectEquationsTest, AddedDampingHasItsPointsAtTheDeflectionsOfItsCard) {
   constexpr double reach = 0.09;
   EffectChoice choice{"damping-curves", 0.0, {{"deflection_reach", reach}}};
   for (int k = 0; k < 6; ++k) choice.parameters["deflection_" + std::to_string(k)] = 0.1 + 0.2 * k;
-  const LumpedProblem problem = elastic_with(choice);
+  const LumpedProblem problem = test::elastic_with({choice});
   const CurveCard& card = find_effect(choice.name).card.curves.front();
   ASSERT_EQ(card.points.size(), 6u);
   for (int k = 0; k < 6; ++k) {
@@ -76,8 +68,8 @@ TEST(EffectEquationsTest, AShellIsStifferByItsSize) {
   ASSERT_EQ(fem.material.layers.size(), 1u);
   EXPECT_DOUBLE_EQ(fem.material.layers[0].modulus_factor, 1.5);
   // More of the energy is taken early: the ball is pressed less and leaves sooner.
-  const auto plain = simulate_fast(elastic_with({"layered-core", 0.0, {}})).scalars;
-  const auto shell = simulate_fast(elastic_with({"layered-core", 0.5, {}})).scalars;
+  const auto plain = simulate_fast(test::elastic_with({{"layered-core", 0.0, {}}})).scalars;
+  const auto shell = simulate_fast(test::elastic_with({{"layered-core", 0.5, {}}})).scalars;
   EXPECT_LT(shell.peak_deflection, plain.peak_deflection);
   EXPECT_LT(shell.contact_time, plain.contact_time);
 }

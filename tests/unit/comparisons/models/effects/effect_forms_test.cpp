@@ -12,29 +12,21 @@
 namespace rebound {
 namespace {
 
-/// Hertz's force without any loss of its own.
-LumpedProblem elastic_with(const std::vector<EffectChoice>& effects) {
-  LumpedProblem problem{.sphere = test::core_a(), .impact = {.speed = 10.0}};
-  problem.model.law = "hunt-crossley";
-  problem.model.parameters = {{"exponent", 1.5}, {"stiffness", 3.0e6}, {"damping", 0.0}};
-  apply_effects(effects, problem);
-  return problem;
-}
-
 // Unloading gives back ∫ x^1.5 [1 − s (1 − x/x_m)] dx, of the same without s: 1 − 2 s/7.
 TEST(EffectFormsTest, HysteresisLosesTwoSeventhsOfItsSize) {
   for (const double size : {0.1, 0.35}) {
-    const double e = simulate_fast(elastic_with({{"hysteresis", size, {}}})).scalars.restitution;
+    const double e =
+        simulate_fast(test::elastic_with({{"hysteresis", size, {}}})).scalars.restitution;
     EXPECT_NEAR(e * e, 1.0 - 2.0 * size / 7.0, 1e-5) << size;
   }
 }
 
 // A branch that does not fade in the contact is stiffness, one that fades at once is nothing.
 TEST(EffectFormsTest, ABranchFadesInItsRelaxationTime) {
-  const double plain = simulate_fast(elastic_with({})).scalars.peak_force;
+  const double plain = simulate_fast(test::elastic_with({})).scalars.peak_force;
   const auto peak = [](double time) {
     const EffectChoice branch{"relaxation", 0.4, {{"relaxation_time", time}}};
-    return simulate_fast(elastic_with({branch})).scalars.peak_force;
+    return simulate_fast(test::elastic_with({branch})).scalars.peak_force;
   };
   // Of m v²/2 = k x^2.5/2.5 the peak k x^1.5 grows with k^0.4.
   EXPECT_NEAR(peak(100.0) / plain, std::pow(1.4, 0.4), 1e-3);
