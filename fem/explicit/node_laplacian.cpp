@@ -11,8 +11,8 @@ namespace rebound::fem {
 namespace {
 
 constexpr int block_size = NodeLaplacian::block_size;
-constexpr int block_values = 2 * block_size;         // (r, z) of each node
-constexpr int padding = 2 * NodeLaplacian::padding;  // values before and behind M⁻¹ f
+constexpr int block_values = 2 * block_size;  // (r, z) of each node
+constexpr int values_of_padding = 2 * NodeLaplacian::padding;
 
 using Diagonals = NodeLaplacian::Diagonals;
 using Block = NodeLaplacian::Block;
@@ -170,7 +170,7 @@ const Functions& chosen() {
 NodeLaplacian::NodeLaplacian(const std::vector<int>& first,
                              const std::vector<Neighbour>& neighbours)
     : nodes_(static_cast<int>(first.size()) - 1),
-      accelerations_(static_cast<std::size_t>(2 * nodes_ + 3 * padding), 0.0) {
+      accelerations_(static_cast<std::size_t>(2 * (nodes_ + 2 * padding)), 0.0) {
   const std::size_t blocks = (static_cast<std::size_t>(nodes_) + block_size - 1) / block_size;
   blocks_.reserve(blocks);
   at_.reserve(12 * blocks);
@@ -211,7 +211,7 @@ void NodeLaplacian::kick(double span, const std::vector<double>& inverse_mass,
   chosen().kick(diagonals(), {.span = span,
                               .inverse_mass = inverse_mass.data(),
                               .force = force.data(),
-                              .y = accelerations_.data() + padding,
+                              .y = accelerations_.data() + values_of_padding,
                               .velocity = velocity.data()});
 }
 

@@ -12,6 +12,7 @@
 #include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
 #include "comparisons/discrepancy/trials/generator/fem_program.hpp"
 #include "comparisons/discrepancy/trials/generator/hidden_effect.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/comparisons/discrepancy/trials/generator/example.hpp"
 
 namespace trials {
@@ -118,23 +119,18 @@ TEST(FemRecord, ALoadCellRingsOnAsThePlateDoes) {
 
 class FemResult : public ::testing::Test {
  protected:
-  std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) / "fem-result";
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-  }
+  rebound::testing::TemporaryFolder folder_;
 };
 
 TEST_F(FemResult, IsReadInEqualSteps) {
-  write("result.json", "{\"contact_time_s\": 1e-3, \"restitution\": 0.8}");
+  folder_.write("result.json", "{\"contact_time_s\": 1e-3, \"restitution\": 0.8}");
   std::string trace = "time_s,force_N,deflection_m\n";
   for (int i = 0; i <= 200; ++i) {
     const double time = i * 5e-6;
     trace += fmt::format("{},{},0\n", time, 100.0 * std::sin(std::numbers::pi * time / 1e-3));
   }
-  write("trace.csv", trace);
-  const SimulatedImpact read = read_fem_impact(folder_);
+  folder_.write("trace.csv", trace);
+  const SimulatedImpact read = read_fem_impact(folder_.path());
   EXPECT_EQ(read.restitution, 0.8);
   EXPECT_NEAR(read.peak_force, 100.0, 1e-6);
   EXPECT_EQ(read.step, 1e-3 / 2000.0);
@@ -142,9 +138,9 @@ TEST_F(FemResult, IsReadInEqualSteps) {
 }
 
 TEST_F(FemResult, WithoutARecordOfTheForceIsRefused) {
-  write("result.json", "{\"contact_time_s\": 1e-3, \"restitution\": 0.8}");
-  write("trace.csv", "time_s,deflection_m\n0,0\n");
-  EXPECT_THROW(read_fem_impact(folder_), std::runtime_error);
+  folder_.write("result.json", "{\"contact_time_s\": 1e-3, \"restitution\": 0.8}");
+  folder_.write("trace.csv", "time_s,deflection_m\n0,0\n");
+  EXPECT_THROW(read_fem_impact(folder_.path()), std::runtime_error);
 }
 
 TEST(FemProgramTest, WhatIsNoProgramIsRefused) {
