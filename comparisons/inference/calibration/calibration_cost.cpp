@@ -49,13 +49,11 @@ bool CalibrationCost::with_jacobian_at(const std::vector<double>& y) const {
     return found.residuals;
   });
   if (!any) return false;
-  last_y_ = y;
-  last_residuals_ = std::move(found.residuals);
-  last_slopes_ = std::move(found.slopes);
+  last_ = {.y = y, .residuals = std::move(found.residuals), .slopes = std::move(found.slopes)};
   for (std::size_t j = 0; j < y.size(); ++j)
-    for (std::size_t i = j; i < last_slopes_.size(); i += y.size())
-      last_slopes_[i] *= problem_.parameters[j].scale;
-  return std::all_of(last_slopes_.begin(), last_slopes_.end(),
+    for (std::size_t i = j; i < last_.slopes.size(); i += y.size())
+      last_.slopes[i] *= problem_.parameters[j].scale;
+  return std::all_of(last_.slopes.begin(), last_.slopes.end(),
                      [](double slope) { return std::isfinite(slope); });
 }
 
@@ -93,33 +91,40 @@ bool CalibrationCost::difference(std::vector<double>& y, std::size_t j,
   return true;
 }
 
-bool CalibrationCost::Evaluate(double const* const* parameters, double* residuals,
-                               double** jacobians) const {
-  const std::size_t unknowns = problem_.parameters.size();
-  std::vector<double> y(parameters[0], parameters[0] + unknowns);
-  if (failure_) return false;
-  if (y != last_y_) {
-    if (problem_.with_jacobian) {
-      if (!with_jacobian_at(y)) return false;
-    } else {
-      std::vector<double> centre;
-      if (!residuals_at(y, centre)) return false;
-      last_y_ = y;
-      last_residuals_ = std::move(centre);
-    }
+bool CalibrationCost::take_differences() const {
+  const std::size_t unknowns = last_.y.size(), rows = last_.residuals.size();
+  std::vector<double> y = last_.y, slope, slopes(rows * unknowns);
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    if (!difference(y, j, last_.residuals, slope)) return false;
+    for (std::size_t i = 0; i < rows; ++i) slopes[i * unknowns + j] = slope[i];
   }
-  std::copy(last_residuals_.begin(), last_residuals_.end(), residuals);
-  if (!jacobians || !jacobians[0]) return true;
-  if (problem_.with_jacobian) {
-    std::copy(last_slopes_.begin(), last_slopes_.end(), jacobians[0]);
+  last_.slopes = std::move(slopes);
+  return true;
+}
+
+bool CalibrationCost::look_at(const std::vector<double>& y) const {
+  if (y == last_with_slopes_.y) {
+    last_ = last_with_slopes_;
     return true;
   }
-  const std::vector<double> centre = last_residuals_;
-  std::vector<double> slope;
-  for (std::size_t j = 0; j < unknowns; ++j) {
-    if (!difference(y, j, centre, slope)) return false;
-    for (std::size_t i = 0; i < centre.size(); ++i) jacobians[0][i * unknowns + j] = slope[i];
-  }
+  if (problem_.with_jacobian && !problem_.controls.runs_are_dear) return with_jacobian_at(y);
+  std::vector<double> residuals;
+  if (!residuals_at(y, residuals)) return false;
+  last_ = {.y = y, .residuals = std::move(residuals), .slopes = {}};
+  return true;
+}
+
+bool CalibrationCost::Evaluate(double const* const* parameters, double* residuals,
+                               double** jacobians) const {
+  if (failure_) return false;
+  const std::vector<double> y(parameters[0], parameters[0] + problem_.parameters.size());
+  if (y != last_.y && !look_at(y)) return false;
+  std::copy(last_.residuals.begin(), last_.residuals.end(), residuals);
+  if (!jacobians || !jacobians[0]) return true;
+  if (last_.slopes.empty() && !(problem_.with_jacobian ? with_jacobian_at(y) : take_differences()))
+    return false;
+  last_with_slopes_ = last_;
+  std::copy(last_.slopes.begin(), last_.slopes.end(), jacobians[0]);
   return true;
 }
 

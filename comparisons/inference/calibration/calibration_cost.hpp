@@ -9,6 +9,13 @@
 
 namespace rebound {
 
+/// Residuals and Jacobian at one point of a search, in scaled unknowns.
+struct LinearModel {
+  std::vector<double> y;          ///< [n]
+  std::vector<double> residuals;  ///< [m]
+  std::vector<double> slopes;     ///< ∂r_i/∂y_j, [m][n]; empty: not taken here
+};
+
 /// What a search sees of a calibration: residuals and Jacobian, in the scaled unknowns
 /// y = x / scale.
 ///
@@ -17,6 +24,9 @@ namespace rebound {
 /// ask, one-sided in any case where a bound is nearer than a step or where
 /// the model has no answer on one side. Ceres' own numeric derivatives step
 /// relative to the value, which fails at zero and does not respect bounds.
+///
+/// Where runs are dear, a point is asked for its residuals first, since one that is refused needs
+/// no more.
 class CalibrationCost final : public ceres::CostFunction {
  public:
   CalibrationCost(const CalibrationProblem& problem, int residuals);
@@ -39,8 +49,12 @@ class CalibrationCost final : public ceres::CostFunction {
  private:
   /// Residuals at y; false where the model has no answer.
   bool residuals_at(const std::vector<double>& y, std::vector<double>& residuals) const;
-  /// Both at y, cached; false where the model has no answer.
+  /// Both at y, kept; false where the model has no answer.
   bool with_jacobian_at(const std::vector<double>& y) const;
+  /// What is kept becomes that of y, with a Jacobian where it comes along.
+  bool look_at(const std::vector<double>& y) const;
+  /// Adds differences to what is kept.
+  bool take_differences() const;
   /// Calls the model; false where it has no answer. Other errors are kept for later.
   template <class Model>
   bool answered(const std::vector<double>& y, const Model& model) const;
@@ -50,8 +64,9 @@ class CalibrationCost final : public ceres::CostFunction {
   const CalibrationProblem& problem_;
   mutable int evaluations_ = 0;
   mutable std::vector<bool> edge_;
-  /// Ceres asks for the Jacobian where it has just had the residuals.
-  mutable std::vector<double> last_y_, last_residuals_, last_slopes_;
+  /// Ceres asks for the Jacobian where it has just had the residuals, and goes on from the last
+  /// point that had one where a step is refused.
+  mutable LinearModel last_, last_with_slopes_;
   mutable bool met_no_answer_ = false;
   mutable std::exception_ptr failure_;
 };

@@ -67,10 +67,10 @@ class MaterialResiduals {
     return run_impacts(one, impacts_, run_);
   }
   std::vector<double> at(const std::vector<double>& logarithms) const {
-    return residuals_of(impacts(logarithms), measured_);
+    return residuals_of(impacts_at(logarithms), measured_);
   }
   ResidualsWithJacobian with_jacobian_at(const std::vector<double>& logarithms) const {
-    const auto here = impacts(logarithms);
+    const auto& here = impacts_at(logarithms);
     ResidualsWithJacobian found{.residuals = residuals_of(here, measured_), .slopes = {}};
     // Below every step of the impacts a difference away, whose waves are 1 % faster or so.
     constexpr double margin = 0.9;
@@ -91,11 +91,22 @@ class MaterialResiduals {
   }
 
  private:
+  /// A point that is accepted is asked for its residuals, and then for their slopes.
+  const std::vector<FemResult>& impacts_at(const std::vector<double>& logarithms) const {
+    if (last_results_.empty() || logarithms != last_) {
+      last_results_ = impacts(logarithms);
+      last_ = logarithms;
+    }
+    return last_results_;
+  }
+
   const FemProblem& problem_;
   const std::vector<MeasuredImpact>& measured_;
   const std::vector<FreeMaterialNumber>& free_;
   const FemRunner& run_;
   std::vector<Impact> impacts_;
+  mutable std::vector<double> last_;
+  mutable std::vector<FemResult> last_results_;
 };
 
 /// From the logarithm back to the number itself.
@@ -135,6 +146,7 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
   calibration.controls.relative_step = difference_step;
   calibration.controls.cost_tolerance = cost_tolerance;
   calibration.controls.iterations = 50;
+  calibration.controls.runs_are_dear = true;
   for (const auto& unknown : free) {
     Material start = problem.material;
     calibration.parameters.push_back({.name = name_of(unknown),

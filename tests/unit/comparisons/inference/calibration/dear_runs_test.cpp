@@ -47,5 +47,51 @@ TEST(DearRunsTest, AtABoundTheLeastIsFoundWithFewRuns) {
   EXPECT_LT(decay.runs, 80);  // 60
 }
 
+/// a exp(-b t) + c against data of it, its Jacobian taken by the model itself.
+struct CountedModel {
+  int runs = 0, jacobians = 0;
+
+  CalibrationResult found(bool dear) {
+    CalibrationProblem problem;
+    problem.parameters = {{.name = "a", .unit = "", .start = 0.5, .lowest = 0.1, .highest = 10.0},
+                          {.name = "b", .unit = "", .start = 0.2, .lowest = 0.01, .highest = 9.0},
+                          {.name = "c", .unit = "", .start = 0.0, .lowest = -5.0, .highest = 5.0}};
+    problem.noise = NoiseKnowledge::known;
+    problem.controls.runs_are_dear = dear;
+    problem.controls.cost_tolerance = 1e-8;
+    problem.residuals = [this](const std::vector<double>& x) {
+      ++runs;
+      return at(x).residuals;
+    };
+    problem.with_jacobian = [this](const std::vector<double>& x) {
+      ++jacobians;
+      return at(x);
+    };
+    return calibrate(problem);
+  }
+  static ResidualsWithJacobian at(const std::vector<double>& x) {
+    ResidualsWithJacobian found;
+    for (int i = 0; i < 20; ++i) {
+      const double t = 0.2 * i, decay = std::exp(-x[1] * t), data = 2.5 * std::exp(-1.5 * t) + 0.7;
+      found.residuals.push_back((x[0] * decay + x[2] - data + 0.01 * (i % 3)) / 0.05);
+      found.slopes.insert(found.slopes.end(), {decay / 0.05, -t * x[0] * decay / 0.05, 1.0 / 0.05});
+    }
+    return found;
+  }
+};
+
+TEST(DearRunsTest, ARefusedPointIsNotAskedForItsJacobian) {
+  CountedModel plain, dear;
+  const CalibrationResult as_ever = plain.found(false), sparing = dear.found(true);
+  ASSERT_TRUE(as_ever.converged && sparing.converged);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(sparing.estimates[i].value, as_ever.estimates[i].value, 1e-5) << i;
+    EXPECT_NEAR(sparing.estimates[i].standard_error, as_ever.estimates[i].standard_error,
+                1e-4 * as_ever.estimates[i].standard_error)
+        << i;
+  }
+  EXPECT_LT(2 * dear.jacobians, plain.jacobians) << dear.runs;
+}
+
 }  // namespace
 }  // namespace rebound
