@@ -20,7 +20,7 @@ std::vector<std::array<int, 2>> contact_edges(const std::vector<std::array<int, 
 /// -> test ContactPressureTest.IntegratesToTheForce. The window are the last W/2 to W
 /// seconds: impulses of one step alternate between nodes.
 ///
-/// Limit:   Hertz's profile at low speed -> test FieldsOfAnImpact.PressureIsHertz
+/// Limit:   Hertz's profile at low speed -> test PressureOfAnImpact.IsHertz
 /// Caution: the outermost node in contact carries what its half of the open
 ///          side would: there the pressure is a mean over a side.
 class ContactPressure {
