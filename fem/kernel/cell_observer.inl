@@ -22,7 +22,7 @@ struct Scratch {
   double values[(largest_branch_count * history_stride + 1) * width];
 
   Scratch(const double* history, int per_point) {
-    __builtin_memcpy(values, history, sizeof(double) * per_point * width);
+    if (per_point > 0) __builtin_memcpy(values, history, sizeof(double) * per_point * width);
   }
 };
 
