@@ -7,7 +7,7 @@ namespace rebound::fem {
 namespace {
 
 /// As many cells go side by side, one a lane: a cell alone is too small for vectors.
-constexpr int lanes = 4;
+constexpr int lanes = 8;
 typedef double Lanes __attribute__((vector_size(8 * lanes)));
 using Group = std::array<int, lanes>;  ///< numbers of cells
 
@@ -226,6 +226,10 @@ void fill_plainly(const Question& asked, std::vector<double>& frequencies) {
 [[gnu::target("avx")]] void fill_with_avx(const Question& asked, std::vector<double>& frequencies) {
   fill_frequencies(asked, frequencies);
 }
+[[gnu::target("avx512f")]] void fill_with_avx512(const Question& asked,
+                                                 std::vector<double>& frequencies) {
+  fill_frequencies(asked, frequencies);
+}
 #endif
 
 }  // namespace
@@ -236,6 +240,10 @@ std::vector<double> cell_frequencies(const Discretisation& body, const Moduli& m
   for (const int node : body.axis_nodes) asked.on_axis[node] = 1;
   std::vector<double> frequencies(body.cells.size());
 #if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f")) {
+    fill_with_avx512(asked, frequencies);
+    return frequencies;
+  }
   if (__builtin_cpu_supports("avx")) {
     fill_with_avx(asked, frequencies);
     return frequencies;

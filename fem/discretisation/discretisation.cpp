@@ -2,7 +2,6 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -14,6 +13,7 @@
 #include <set>
 
 #include "fem/discretisation/edge_area.hpp"
+#include "fem/discretisation/node_order.hpp"
 #include "fem/discretisation/triangulation.hpp"
 
 static_assert(__cplusplus >= 202002L, "deal.II's exported flags must not lower the standard");
@@ -72,7 +72,7 @@ Discretisation discretise(const Mesh& mesh, double mass) {
   const dealii::FE_Q<2> element(1);
   dealii::DoFHandler<2> dof_handler(triangulation);  // scalar: degree of freedom i is node i
   dof_handler.distribute_dofs(element);
-  dealii::DoFRenumbering::Cuthill_McKee(dof_handler, true);
+  number_nodes(dof_handler);
 
   Discretisation body;
   const auto count = dof_handler.n_dofs();

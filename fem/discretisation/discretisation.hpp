@@ -11,6 +11,9 @@
 
 namespace rebound::fem {
 
+/// Nodes that follow each other in number, and that sums over neighbours take at once.
+inline constexpr int nodes_per_block = 4;
+
 /// Geometry of one cell in plain numbers: gradients of the shape functions at
 /// rest, counted counter-clockwise, at four Gauss points.
 struct CellGeometry {
@@ -27,7 +30,7 @@ struct CellGeometry {
 ///   mass_i = Σ_q ρ N_i(q) 2π R_q |J|_q w_q,   ρ = mass / Σ_q weight_q
 ///
 /// so the discrete body has exactly the mass asked for whatever the mesh.
-/// Nodes are ordered for locality (reverse Cuthill–McKee).
+/// Nodes are ordered for locality (node_order.hpp).
 struct Discretisation {
   std::vector<CellGeometry> cells;
   std::vector<std::array<double, 2>> position;  ///< at rest, (r, z) [m]

@@ -1,5 +1,6 @@
 #include "fem/explicit/body_motion.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "fem/explicit/node_passes.hpp"
@@ -24,9 +25,25 @@ BodyMotion::BodyMotion(const Discretisation& body, double approach, DispersionCo
   for (const int node : body.axis_nodes) inverse_mass_[2 * node] = 0.0;
 }
 
-BodyMotion::Sums BodyMotion::sums() const {
-  const WeightedSums sums = weighted_sums(mass_, velocity);
-  return {.kinetic = 0.5 * sums.squares - dispersion_.kinetic(velocity), .momentum = sums.axial};
+double BodyMotion::kinetic() const {
+  return 0.5 * weighted_sums(mass_, velocity).squares -
+         dispersion_.mean_kinetic(velocity, velocity);
+}
+
+double BodyMotion::momentum() const {
+  return weighted_sums(mass_, velocity).axial;
+}
+
+bool BodyMotion::is_finite() const {
+  return std::isfinite(weighted_sums(mass_, velocity).squares);
+}
+
+BodyMotion::Means BodyMotion::means_since(const std::vector<double>& before) const {
+  const WeightedSums then = weighted_sums(mass_, before), now = weighted_sums(mass_, velocity);
+  return {
+      .kinetic = 0.25 * (then.squares + now.squares) - dispersion_.mean_kinetic(before, velocity),
+      .momentum = 0.5 * (then.axial + now.axial),
+      .momentum_now = now.axial};
 }
 
 void BodyMotion::kick(double span, double gravity) {

@@ -15,11 +15,18 @@ class BodyMotion {
   /// All nodes at `approach` towards the plate [m/s]; nodes of the axis stay on it.
   BodyMotion(const Discretisation& body, double approach, DispersionCorrection dispersion);
 
-  struct Sums {
-    double kinetic = 0.0;   ///< [J]
-    double momentum = 0.0;  ///< away from the plate [kg m/s]
+  double kinetic() const;   ///< [J]
+  double momentum() const;  ///< away from the plate [kg m/s]
+  bool is_finite() const;   ///< all velocities
+
+  /// Velocities belong to half steps: what belongs to the instant between two.
+  struct Means {
+    double kinetic = 0.0;       ///< [J]
+    double momentum = 0.0;      ///< [kg m/s]
+    double momentum_now = 0.0;  ///< of the later alone [kg m/s]
   };
-  Sums sums() const;
+  /// `before`: the velocities half a step before that instant, those of now half a step after.
+  Means means_since(const std::vector<double>& before) const;
 
   /// Velocities by the internal forces and gravity over `span`.
   void kick(double span, double gravity);

@@ -54,9 +54,10 @@ class DispersionCorrection {
     laplacian_.kick(span, inverse_mass, force, velocity);
   }
 
-  /// ½ vᵀ L v: what the kinetic energy is less than that of the lumped mass [J].
-  double kinetic(const std::vector<double>& velocity) const {
-    return laplacian_.half_square(velocity);
+  /// ½ vᵀ L v, the mean of two velocities: what the kinetic energy is less than that of the lumped
+  /// mass [J].
+  double mean_kinetic(const std::vector<double>& before, const std::vector<double>& after) const {
+    return 0.5 * laplacian_.half_squares(before, after);
   }
 
  private:

@@ -17,7 +17,7 @@ bool ExplicitImpact::contact_is_over() const {
   const double amplitude = residual_vibration_amplitude(
       energies_, material_,
       {.mass = mass, .density = body_.density, .radius = problem_.sphere.radius()});
-  return plate_->is_clear_of(motion_.displacement, {.speed = motion_.sums().momentum / mass,
+  return plate_->is_clear_of(motion_.displacement, {.speed = motion_.momentum() / mass,
                                                     .vibration = amplitude + adhesion_.reach(),
                                                     .horizon = end_time_});
 }
@@ -35,7 +35,7 @@ FemResult ExplicitImpact::run(const RunControl& control) {
       incomplete = "the contact had not ended by the end time";
     if (!incomplete.empty() || steps_ % look_around_every != 0) continue;
     // NaN is never below or above anything: no comparison above would see it.
-    if (!std::isfinite(motion_.sums().kinetic)) incomplete = "the motion is no longer finite";
+    if (!motion_.is_finite()) incomplete = "the motion is no longer finite";
     if (!incomplete.empty()) break;
     if (contact_is_over()) break;
     if (control.interrupted && control.interrupted()) incomplete = "interrupted";
@@ -64,7 +64,7 @@ void ExplicitImpact::conclude(FemResult& result) const {
   conclude_impact(problem_, recorder_,
                   {.mass = mass,
                    .touch_speed = touch_speed_,
-                   .speed = motion_.sums().momentum / mass,
+                   .speed = motion_.momentum() / mass,
                    .time = time_ - 0.5 * step_.before(),  // velocities belong to half steps
                    .last_contact = last_contact_,
                    .initial_kinetic = balance_.brought(),

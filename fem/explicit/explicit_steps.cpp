@@ -22,7 +22,7 @@ std::unique_ptr<PlateContact> make_plate(const Discretisation& body, const FemPr
 /// Kinetic energy of the discrete body at `speed`, of which `motion` lacks `behind`.
 double kinetic_at_touch(const BodyMotion& motion, double speed, double behind) {
   const double to_touch = speed / (speed - behind);
-  return motion.sums().kinetic * to_touch * to_touch;
+  return motion.kinetic() * to_touch * to_touch;
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void ExplicitImpact::begin_approach() {
 
 /// Time zero is where the next two steps reach the plate.
 void ExplicitImpact::look_for_touch() {
-  const double speed = -motion_.sums().momentum / motion_.total_mass();
+  const double speed = -motion_.momentum() / motion_.total_mass();
   const double gap = plate_->gap(motion_.displacement) + plate_->state().displacement;
   if (gap > 2.0 * speed * step_.now()) return;
   approaching_ = false;
@@ -88,13 +88,11 @@ void ExplicitImpact::look_for_touch() {
 
 /// Energies at the current instant t_n, from the velocities half a step before
 /// and after. Half of what the plate takes at that instant is in their mean.
-void ExplicitImpact::update_energies(const BodyMotion::Sums& before, const PlateStep& now,
-                                     const BodyMotion::Sums& after) {
+void ExplicitImpact::update_energies(const BodyMotion::Means& body, const PlateStep& now) {
   const double mass = motion_.total_mass();
-  const double kinetic = 0.5 * (before.kinetic + after.kinetic);
-  const double centre_speed = 0.5 * (before.momentum + after.momentum) / mass;
+  const double centre_speed = body.momentum / mass;
   energies_.kinetic_centre_of_mass = 0.5 * mass * centre_speed * centre_speed;
-  energies_.kinetic_vibration = kinetic - energies_.kinetic_centre_of_mass;
+  energies_.kinetic_vibration = body.kinetic - energies_.kinetic_centre_of_mass;
   losses_.put_into(energies_, of_cells_);
   energies_.contact_constraint = 0.5 * now.constraint_work - constraint_work_;
   energies_.friction = friction_work_ == 0.0 ? 0.0 : 0.5 * now.friction_work - friction_work_;
@@ -109,11 +107,11 @@ void ExplicitImpact::update_energies(const BodyMotion::Sums& before, const Plate
 }
 
 /// Samples are placed by the linear motion over the step.
-void ExplicitImpact::record_samples(const BodyMotion::Sums& before, const PlateStep& now) {
-  const BodyMotion::Sums after = motion_.sums();
-  update_energies(before, now, after);
+void ExplicitImpact::record_samples(const PlateStep& now) {
+  const BodyMotion::Means body = motion_.means_since(velocity_before_);
+  update_energies(body, now);
   const double mean_height = motion_.mean_height();
-  const double speed_now = after.momentum / motion_.total_mass();
+  const double speed_now = body.momentum_now / motion_.total_mass();
   const PlateState plate = plate_->state();
   const int pole = 2 * pole_ + 1;
   while (recorder_.next_sample() < time_ + step_.now()) {
@@ -140,7 +138,7 @@ void ExplicitImpact::step() {
                       : kernel_.internal_forces(arrays_, prony_.data(), now, history_.data(),
                                                 motion_.force.data());
   losses_.advance(summary_, behind);
-  const BodyMotion::Sums before = sampling ? motion_.sums() : BodyMotion::Sums{};
+  if (sampling) velocity_before_ = motion_.velocity;
 
   plate_->remember(motion_.velocity);
   const StepSpan span{.kick = 0.5 * (behind + ahead), .drift = ahead};
@@ -158,7 +156,7 @@ void ExplicitImpact::step() {
     recorder_.add_reading(plate.reading, start, end);
   }
   if (plate.impulse > 0.0) last_contact_ = end;
-  if (sampling) record_samples(before, plate);
+  if (sampling) record_samples(plate);
 
   motion_.drift(ahead);
   plate_->drift(ahead);

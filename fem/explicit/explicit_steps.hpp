@@ -30,9 +30,8 @@ class ExplicitImpact {
   void begin_approach();
   void step();
   void look_for_touch();
-  void record_samples(const BodyMotion::Sums& before, const PlateStep& now);
-  void update_energies(const BodyMotion::Sums& before, const PlateStep& now,
-                       const BodyMotion::Sums& after);
+  void record_samples(const PlateStep& now);
+  void update_energies(const BodyMotion::Means& body, const PlateStep& now);
   bool contact_is_over() const;
   FemResult finish(std::string incomplete_because);
   void conclude(FemResult& result) const;
@@ -45,7 +44,8 @@ class ExplicitImpact {
   const CellArrays& arrays_ = cells_.arrays();
   StableStep step_;
   BodyMotion motion_;
-  const AdhesiveTraction adhesion_;  ///< its range chosen
+  std::vector<double> velocity_before_;  ///< half a step before the last sample's instant
+  const AdhesiveTraction adhesion_;      ///< its range chosen
   std::unique_ptr<PlateContact> plate_;
   std::vector<double> history_;
   int pole_ = 0;  ///< the node farthest from the plate

@@ -56,36 +56,25 @@ struct Masses<Octet> {
 template <class Vector>
 inline constexpr int vectors = static_cast<int>(sizeof(Octet) / sizeof(Vector));
 
-/// add(i, mass, apart) for each vector of a block and each of its diagonals from `first` on.
-template <class Vector, class Add>
-[[gnu::always_inline]] inline void each_difference(const Diagonals& d, int b, int first,
-                                                   const double* y, const Add& add) {
-  Vector own[vectors<Vector>];
-  std::memcpy(own, y + b * block_values, sizeof(Octet));
-  for (int k = first; k < d.blocks[b].end; ++k) {
-    Vector other[vectors<Vector>], mass;
-    Masses<Vector> masses[vectors<Vector>];
-    std::memcpy(other, y + d.at[k], sizeof(Octet));
-    std::memcpy(masses, d.mass + block_size * k, sizeof(masses));
-    for (int i = 0; i < vectors<Vector>; ++i) {
-      masses[i].spread(mass);
-      const Vector apart = own[i] - other[i];
-      add(i, mass, apart);
-    }
-  }
-}
-
 template <class Vector>
 [[gnu::always_inline]] inline void kick_block(const Diagonals& d, int b, const Kick& kick,
                                               const double* inverse_mass, const double* force,
                                               double* velocity) {
-  Vector moving[vectors<Vector>], share[vectors<Vector>], v[vectors<Vector>];
+  Vector own[vectors<Vector>], moving[vectors<Vector>];
+  std::memcpy(own, kick.y + b * block_values, sizeof(Octet));
   std::memcpy(moving, force, sizeof(Octet));
-  each_difference<Vector>(
-      d, b, d.blocks[b].begin,
-      kick.y, [&](int i, const Vector& mass, const Vector& apart) __attribute__((always_inline)) {
-        moving[i] += mass * apart;
-      });
+  for (int k = d.blocks[b].begin; k < d.blocks[b].end; ++k) {
+    Vector other[vectors<Vector>], mass;
+    Masses<Vector> masses[vectors<Vector>];
+    std::memcpy(other, kick.y + d.at[k], sizeof(Octet));
+    std::memcpy(masses, d.mass + block_size * k, sizeof(masses));
+    for (int i = 0; i < vectors<Vector>; ++i) {
+      masses[i].spread(mass);
+      const Vector apart = own[i] - other[i];
+      moving[i] += mass * apart;
+    }
+  }
+  Vector share[vectors<Vector>], v[vectors<Vector>];
   std::memcpy(share, inverse_mass, sizeof(Octet));
   std::memcpy(v, velocity, sizeof(Octet));
   for (int i = 0; i < vectors<Vector>; ++i) v[i] -= kick.span * moving[i] * share[i];
@@ -109,15 +98,28 @@ template <class Vector>
   std::copy_n(velocity, left, kick.velocity + done);
 }
 
+/// Both fields in one pass: what the weights cost to read is paid once.
 template <class Vector>
-[[gnu::always_inline]] inline double half_square_of(const Diagonals& d, const double* v) {
+[[gnu::always_inline]] inline double half_squares_of(const Diagonals& d, const double* v,
+                                                     const double* w) {
   Vector sum[vectors<Vector>] = {};
-  for (int b = 0; b * block_size < d.nodes; ++b)
-    each_difference<Vector>(
-        d, b, d.blocks[b].upper,
-        v, [&](int i, const Vector& mass, const Vector& apart) __attribute__((always_inline)) {
-          sum[i] += mass * (apart * apart);
-        });
+  for (int b = 0; b * block_size < d.nodes; ++b) {
+    Vector own[2][vectors<Vector>];
+    std::memcpy(own[0], v + b * block_values, sizeof(Octet));
+    std::memcpy(own[1], w + b * block_values, sizeof(Octet));
+    for (int k = d.blocks[b].upper; k < d.blocks[b].end; ++k) {
+      Vector other[2][vectors<Vector>], mass;
+      Masses<Vector> masses[vectors<Vector>];
+      std::memcpy(other[0], v + d.at[k], sizeof(Octet));
+      std::memcpy(other[1], w + d.at[k], sizeof(Octet));
+      std::memcpy(masses, d.mass + block_size * k, sizeof(masses));
+      for (int i = 0; i < vectors<Vector>; ++i) {
+        masses[i].spread(mass);
+        const Vector v_apart = own[0][i] - other[0][i], w_apart = own[1][i] - other[1][i];
+        sum[i] += mass * (v_apart * v_apart + w_apart * w_apart);
+      }
+    }
+  }
   double values[block_values];
   std::memcpy(values, sum, sizeof(Octet));
   double total = 0.0;
@@ -128,28 +130,30 @@ template <class Vector>
 /// The two for one instruction set.
 struct Functions {
   void (*kick)(const Diagonals&, const Kick&);
-  double (*half_square)(const Diagonals&, const double* v);
+  double (*half_squares)(const Diagonals&, const double* v, const double* w);
 };
 
 void kick_plainly(const Diagonals& d, const Kick& kick) {
   kick_nodes<Pair>(d, kick);
 }
-double half_square_plainly(const Diagonals& d, const double* v) {
-  return half_square_of<Pair>(d, v);
+double half_squares_plainly(const Diagonals& d, const double* v, const double* w) {
+  return half_squares_of<Pair>(d, v, w);
 }
 
 #if defined(__x86_64__)
 [[gnu::target("avx")]] void kick_with_avx(const Diagonals& d, const Kick& kick) {
   kick_nodes<Quad>(d, kick);
 }
-[[gnu::target("avx")]] double half_square_with_avx(const Diagonals& d, const double* v) {
-  return half_square_of<Quad>(d, v);
+[[gnu::target("avx")]] double half_squares_with_avx(const Diagonals& d, const double* v,
+                                                    const double* w) {
+  return half_squares_of<Quad>(d, v, w);
 }
 [[gnu::target("avx512f")]] void kick_with_avx512(const Diagonals& d, const Kick& kick) {
   kick_nodes<Octet>(d, kick);
 }
-[[gnu::target("avx512f")]] double half_square_with_avx512(const Diagonals& d, const double* v) {
-  return half_square_of<Octet>(d, v);
+[[gnu::target("avx512f")]] double half_squares_with_avx512(const Diagonals& d, const double* v,
+                                                           const double* w) {
+  return half_squares_of<Octet>(d, v, w);
 }
 #endif
 
@@ -157,10 +161,10 @@ const Functions& chosen() {
   static const Functions functions = [] {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f"))
-      return Functions{kick_with_avx512, half_square_with_avx512};
-    if (__builtin_cpu_supports("avx")) return Functions{kick_with_avx, half_square_with_avx};
+      return Functions{kick_with_avx512, half_squares_with_avx512};
+    if (__builtin_cpu_supports("avx")) return Functions{kick_with_avx, half_squares_with_avx};
 #endif
-    return Functions{kick_plainly, half_square_plainly};
+    return Functions{kick_plainly, half_squares_plainly};
   }();
   return functions;
 }
@@ -229,8 +233,9 @@ std::vector<double> NodeLaplacian::added_to(const std::vector<double>& force,
   return sum;
 }
 
-double NodeLaplacian::half_square(const std::vector<double>& velocity) const {
-  return chosen().half_square(diagonals(), velocity.data());
+double NodeLaplacian::half_squares(const std::vector<double>& v,
+                                   const std::vector<double>& w) const {
+  return chosen().half_squares(diagonals(), v.data(), w.data());
 }
 
 }  // namespace rebound::fem

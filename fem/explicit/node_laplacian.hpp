@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fem/discretisation/discretisation.hpp"
 #include "fem/kernel/cache_line_vector.hpp"
 
 namespace rebound::fem {
@@ -14,8 +15,8 @@ namespace rebound::fem {
 ///
 /// Kept by blocks of four nodes that follow each other. A diagonal of a block is four neighbours
 /// at the same distance in number, one for each node and of no mass where a node has none there:
-/// they lie side by side and are loaded at once. Numbered by reverse Cuthill–McKee, a block of the
-/// built-in mesh has some ten diagonals for nine neighbours; any numbering is correct.
+/// they lie side by side and are loaded at once. As discretise() numbers the nodes, a block of the
+/// built-in mesh has some nine diagonals for eight neighbours; any numbering is correct.
 ///
 /// Limit: a sum of each node is in the order of its neighbours whatever the instruction set, so
 ///        that every bit is the same -> test
@@ -26,7 +27,7 @@ class NodeLaplacian {
     int node;
     double mass;  ///< m_ij [kg]
   };
-  static constexpr int block_size = 4;
+  static constexpr int block_size = nodes_per_block;
   static constexpr int padding = block_size;  ///< nodes
 
   /// Neighbours of node i, in ascending order: [first[i], first[i + 1]) of `neighbours`.
@@ -40,9 +41,9 @@ class NodeLaplacian {
   std::vector<double> added_to(const std::vector<double>& force,
                                const std::vector<double>& inverse_mass) const;
 
-  /// ½ vᵀ L v. Blocks reach over the last node: `velocity` has as many more as `padding` (of any
-  /// value that is a number).
-  double half_square(const std::vector<double>& velocity) const;
+  /// ½ vᵀ L v + ½ wᵀ L w. Blocks reach over the last node: v and w have as many more as `padding`
+  /// (of any value that is a number).
+  double half_squares(const std::vector<double>& v, const std::vector<double>& w) const;
 
   /// Diagonals of one block, by distance, [begin, end) of all; those of higher number from `upper`.
   struct Block {

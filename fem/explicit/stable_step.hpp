@@ -10,13 +10,16 @@ namespace rebound::fem {
 ///   Δt ≤ s f(s) 2/ω      ω² largest of the cells' bounds [1/s²]
 ///   s   controls.step_safety      f   DispersionCorrection::step_factor
 ///
-/// It falls at once where the cells ask for it, and grows by 2 % a step where they
-/// allow 10 % more; controls.largest_step caps it. Changes are rare on purpose: the
-/// coefficients of the branches follow each.
+/// It falls at once where the cells ask for it, to 3 % below what they allow, and grows by
+/// 2 % a step where they allow 10 % more; controls.largest_step caps it. Changes are rare on
+/// purpose: the coefficients of the branches follow each. The first is 3 % below, too: at rest
+/// the cells ask for what they were built with up to rounding, which must not decide.
+///
+/// Limit:  rounding moves no step -> test StepSequenceTest.RoundingMovesNoStep
 /// Source: Irons & Treharne 1971 (bound by cells).
 class StableStep {
  public:
-  /// The first step: what the cells at rest allow.
+  /// The first step: 3 % below what the cells at rest allow.
   StableStep(const CellBatches& cells, const FemControls& controls);
 
   /// The step that follows, for the largest ω² of the step just done.

@@ -89,21 +89,24 @@ CellSummary internal_forces_of(const Law& elastic, const CellArrays& cells,
         of_volume = elastic.volumetric_energy(strain);
         stored += point.weight * (cells.long_term_deviatoric * of_deviator +
                                   cells.long_term_volumetric * of_volume);
-        driving += point.weight * (driven.deviatoric * of_deviator + driven.volumetric * of_volume);
+        if (cells.branches > 0)
+          driving +=
+              point.weight * (driven.deviatoric * of_deviator + driven.volumetric * of_volume);
       }
       for (int b = 0; b < cells.branches; ++b)
         advance_branch<asked>(branches[b], deviatoric, volumetric,
                               carried + b * history_stride * width, stress,
                               share_of(branches[b], of_deviator, of_volume), of_point);
-      if constexpr (asked != Energies::none) {
-        const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
-        relaxing_power += point.weight * contract(of_point.relaxing, green);
-        flow_before += point.weight * of_point.flow_before;
-        if constexpr (asked == Energies::all) {
-          relaxed += point.weight * contract(of_point.relaxed, green);
-          held += point.weight * of_point.held;
+      if constexpr (asked != Energies::none)
+        if (cells.branches > 0) {
+          const Symmetric<Real> green = green_strain(strain.right_cauchy_green);
+          relaxing_power += point.weight * contract(of_point.relaxing, green);
+          flow_before += point.weight * of_point.flow_before;
+          if constexpr (asked == Energies::all) {
+            relaxed += point.weight * contract(of_point.relaxed, green);
+            held += point.weight * of_point.held;
+          }
         }
-      }
       Real jacobian = strain.jacobian;
       if constexpr (dilatation == Dilatation::of_cell) {
         kept.keep(q, point.weight, stress, strain);

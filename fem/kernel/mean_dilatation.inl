@@ -40,9 +40,18 @@ inline CellDilatation mean_dilatation(const double* volume_shares, Gradient<Real
     cell.ratio += cell.shares[q] * cell.jacobians[q];
   }
   cell.inverse_ratio = 1.0 / cell.ratio;
+  Real apart[points_per_cell], farthest = {};
   for (int q = 0; q < points_per_cell; ++q) {
-    const Real scale = inverse_cube_root(cell.jacobians[q] * cell.inverse_ratio);
-    cell.scale[q] = scale;
+    apart[q] = cell.jacobians[q] * cell.inverse_ratio - 1.0;
+    farthest = larger(farthest, magnitude(apart[q]));
+  }
+  if (any_above(farthest, 0.2))
+    for (int q = 0; q < points_per_cell; ++q)
+      cell.scale[q] = inverse_cube_root(Real(1.0 + apart[q]));
+  else
+    for (int q = 0; q < points_per_cell; ++q) cell.scale[q] = inverse_cube_root_near_one(apart[q]);
+  for (int q = 0; q < points_per_cell; ++q) {
+    const Real scale = cell.scale[q];
     Gradient<Real>& f = gradients[q];
     f = {scale * f.rr, scale * f.rz, scale * f.zr, scale * f.zz, scale * f.tt};
   }

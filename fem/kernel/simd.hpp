@@ -31,13 +31,24 @@ inline void store(double* p, V v) {
 template <class V, int width = sizeof(V) / 8, class = decltype(V{}[0])>
 using OnlyVector = V;
 
+/// Is any lane other than zero?
+template <class I>
+[[gnu::always_inline]] inline bool any_lane(I lanes) {
+  constexpr int width = sizeof(I) / 8;
+  if constexpr (width == 8)
+    return any_lane(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3) |
+                    __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7));
+  else if constexpr (width == 4)
+    return any_lane(__builtin_shufflevector(lanes, lanes, 0, 1) |
+                    __builtin_shufflevector(lanes, lanes, 2, 3));
+  else
+    return (lanes[0] | lanes[1]) != 0;
+}
+
 /// Is `x` above `bound` in any lane?
 template <class V>
 [[gnu::always_inline]] inline bool any_above(V x, double bound) {
-  const auto above = x > bound;  // -1 in each lane where it is
-  long any = 0;
-  for (int lane = 0; lane < static_cast<int>(sizeof(V) / 8); ++lane) any |= above[lane];
-  return any != 0;
+  return any_lane(x > bound);
 }
 
 /// Natural logarithm of positive normal numbers.
@@ -122,6 +133,19 @@ inline OnlyVector<V> inverse_cube_root(V x) {
     y += y * r * (1.0 / 3.0 + r * (2.0 / 9.0 + r * (14.0 / 81.0)));
   }
   return y;
+}
+
+/// The same of 1 + t, |t| ≤ 0.2, in half the time: one step of y ← y (1 − r)^(-1/3) to r⁴, from the
+/// series in t to t³.
+///
+/// Error: below 3 units in the last place -> test SimdMath.InverseCubeRootAgainstLibrary
+template <class V>
+[[gnu::always_inline]] inline OnlyVector<V> inverse_cube_root_near_one(V t) {
+  const V t2 = t * t;
+  const V y = (1.0 - t * (1.0 / 3.0)) + t2 * (2.0 / 9.0 - t * (14.0 / 81.0));
+  const V r = 1.0 - (y * y) * (y + t * y);
+  const V r2 = r * r;
+  return y + y * (r * (1.0 / 3.0 + r * (2.0 / 9.0)) + r2 * r * (14.0 / 81.0 + r * (35.0 / 243.0)));
 }
 
 /// Exponential for |x| < 700.

@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <set>
 
+#include "meshes/generate/sphere_mesh.hpp"
 #include "tests/support/fem_cases.hpp"
 #include "tests/support/refusals.hpp"
 
@@ -23,6 +28,50 @@ TEST(DiscretisationTest, MassIsExactWhateverTheMesh) {
   EXPECT_NEAR(body.density, 0.0896 / (1.2 * std::numbers::pi), 1e-14);
   EXPECT_EQ(body.node_count(), static_cast<int>(mesh.vertices.size()));
   EXPECT_EQ(body.cells.size(), mesh.cells.size());
+}
+
+/// `mesh` with its vertices numbered anew at random.
+Mesh shuffled(const Mesh& mesh) {
+  std::vector<int> number(mesh.vertices.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), std::mt19937_64(41));
+  Mesh other = mesh;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    other.vertices[static_cast<std::size_t>(number[v])] = mesh.vertices[v];
+  const auto renumber = [&](auto& of) {
+    for (auto& each : of)
+      for (int& vertex : each) vertex = number[static_cast<std::size_t>(vertex)];
+  };
+  renumber(other.cells);
+  renumber(other.axis_edges);
+  renumber(other.contact_edges);
+  return other;
+}
+
+/// Distances in number at which nodes of a block have neighbours, a block.
+double diagonals_of_a_block(const std::vector<std::array<int, nodes_per_cell>>& cells, int nodes) {
+  std::set<std::array<int, 2>> diagonals;
+  for (const auto& cell : cells)
+    for (const int a : cell)
+      for (const int b : cell)
+        if (a != b) diagonals.insert({a / nodes_per_block, b - a});
+  return static_cast<double>(nodes_per_block * diagonals.size()) / nodes;
+}
+
+TEST(DiscretisationTest, NodesAreNumberedForFewDiagonals) {
+  const Mesh rows = generate_sphere_mesh({.radius = 0.0331, .cells = 1000});
+  const Mesh at_random = shuffled(rows);
+  const auto nodes = static_cast<int>(rows.vertices.size());
+  const auto found = [&](const Mesh& mesh) {
+    std::vector<std::array<int, nodes_per_cell>> cells;
+    for (const CellGeometry& cell : discretise(mesh, 1.0).cells) cells.push_back(cell.nodes);
+    return diagonals_of_a_block(cells, nodes);
+  };
+  EXPECT_EQ(found(rows),
+            diagonals_of_a_block(rows.cells, nodes));  // row by row, as the mesh has it
+  EXPECT_LT(found(rows), 10.0);                        // eight neighbours, and ends
+  EXPECT_GT(diagonals_of_a_block(at_random.cells, nodes), 25.0);
+  EXPECT_LT(found(at_random), 12.0);  // Cuthill and McKee's
 }
 
 TEST(DiscretisationTest, PointOrder) {

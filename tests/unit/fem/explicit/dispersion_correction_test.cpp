@@ -115,7 +115,7 @@ double inertia_of_wave(const Discretisation& body, double wave_number, double sa
   BodyMotion motion(body, 0.0, uniform(body, safety));
   for (int node = 0; node < body.node_count(); ++node)
     motion.velocity[2 * node + 1] = std::cos(wave_number * body.position[node][1]);
-  return motion.sums().kinetic;
+  return motion.kinetic();
 }
 
 TEST(DispersionCorrectionTest, TakesOutItsShareOfTheInertiaOfShortWaves) {

@@ -29,16 +29,18 @@ TEST(NodeLaplacianTest, ReachesOverBothEndsOfItsNodesAndNoFurther) {
     for (std::size_t i = 0; i < values; ++i)
       EXPECT_EQ(velocity[i], before[i] - 0.25 * moving[i] * inverse_mass[i]) << nodes << ", " << i;
 
+    const auto other = random.vector(values + 2 * NodeLaplacian::padding, 1.0);
     double sum = 0.0;
     for (int i = 0; i < nodes; ++i)
       for (int j = 0; j < i; ++j)
         for (int axis = 0; axis < 2; ++axis) {
-          const double apart = before[2 * i + axis] - before[2 * j + axis];
-          sum += (1.0 + i * j) * apart * apart;
+          const int a = 2 * i + axis, b = 2 * j + axis;
+          const double apart = before[a] - before[b], other_apart = other[a] - other[b];
+          sum += (1.0 + i * j) * (apart * apart + other_apart * other_apart);
         }
     auto padded = before;
     padded.resize(values + 2 * NodeLaplacian::padding, 7.0);
-    EXPECT_NEAR(laplacian.half_square(padded), 0.5 * sum, 1e-12 * (1.0 + sum)) << nodes;
+    EXPECT_NEAR(laplacian.half_squares(padded, other), 0.5 * sum, 1e-12 * (1.0 + sum)) << nodes;
   }
 }
 

