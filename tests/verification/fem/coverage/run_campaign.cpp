@@ -3,6 +3,7 @@
 // it ends, and the table is written anew with it, so that a kill or Ctrl-C costs what was running.
 //
 //   build/coverage_campaign STORE comparisons/accuracy/numerical_error/error_bars/coverage.csv
+//   build/coverage_campaign --again comparisons/accuracy/numerical_error/error_bars/coverage.csv
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -27,6 +28,7 @@
 #include "lumped/problem/atomic_file.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/verification/fem/coverage/families.hpp"
+#include "tests/verification/fem/coverage/repetition.hpp"
 
 namespace rebound {
 namespace {
@@ -186,12 +188,17 @@ class StopWhenAsked {
 
 int main(int count, char** arguments) try {
   const bool to_try = count == 4 && std::string_view(arguments[3]) == "--try";
+  const bool again = count == 3 && std::string_view(arguments[1]) == "--again";
   if (count != 3 && !to_try) {
     fmt::print(stderr,
                "usage: coverage_campaign STORE.sqlite TABLE.csv [--try]\n"
-               "STORE keeps what is run, TABLE gets what it lacks of the plan; --try: few cells\n");
+               "       coverage_campaign --again TABLE.csv\n"
+               "STORE keeps what is run, TABLE gets what it lacks of the plan; --try: few cells\n"
+               "--again: a dozen families of TABLE beside what it says, status 1 if a verdict "
+               "differs\n");
     return 2;
   }
+  if (again) return rebound::repeat_families(arguments[2], 12) == 0 ? 0 : 1;
   const std::filesystem::path folder = std::filesystem::path(arguments[1]).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder);
   rebound::CoverageCampaign campaign(arguments[1], arguments[2]);
