@@ -219,6 +219,9 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   HeldOutGap gap;
   const std::size_t data = model.rows().size();
   gap.deviation = std::sqrt(2.0 / static_cast<double>(data));
+  // Noise that was estimated has an error of its own.
+  if (unseen.noise_freedom > 0.0)
+    gap.deviation = std::hypot(gap.deviation, std::sqrt(2.0 / unseen.noise_freedom));
   for (std::size_t i = 0; i < data; ++i) gap.chi_square += residuals[i] * residuals[i];
   gap.reduced_chi_square = gap.chi_square / static_cast<double>(data);
   gap.of_shots = shot_by_shot(model, residuals);

@@ -82,7 +82,7 @@ std::vector<ShotGap> gaps_of_shots(const HypothesisFit& fit);
 struct HeldOutGap {
   double chi_square = 0.0;  ///< Σ r² over their data
   double reduced_chi_square = 0.0;
-  double deviation = 0.0;  ///< of it when nothing is missing, √(2/rows)
+  double deviation = 0.0;  ///< of it when nothing is missing, √(2/rows + 2/ν), ν samples of quiet
   std::vector<ShotGap> of_shots;
   std::vector<std::vector<double>> force;  ///< predicted, per shot, at the data's instants
 };

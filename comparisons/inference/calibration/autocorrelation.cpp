@@ -157,20 +157,22 @@ EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretc
   return noise;
 }
 
-double effective_share_of_variance(const std::vector<double>& autocorrelation) {
+std::vector<double> continued(std::vector<double> autocorrelation, std::size_t lags) {
   const LinearPredictors predictors = linear_predictors(autocorrelation);
   const std::vector<double>& a = predictors.coefficients.back();
-  // The rest of the autocorrelation, as the autoregressive model continues it.
-  std::vector<double> rho = autocorrelation;
-  double sum = 1.0;
-  for (std::size_t lag = 1; lag <= longest_lag && !a.empty(); ++lag) {
-    if (lag > rho.size()) {
-      double next = 0.0;
-      for (std::size_t k = 1; k <= a.size(); ++k) next += a[k - 1] * rho[lag - k - 1];
-      rho.push_back(next);
-    }
-    sum += 2.0 * rho[lag - 1] * rho[lag - 1];
+  while (autocorrelation.size() < lags && !a.empty()) {
+    const std::size_t lag = autocorrelation.size() + 1;
+    double next = 0.0;
+    for (std::size_t k = 1; k <= a.size(); ++k)
+      next += a[k - 1] * (lag == k ? 1.0 : autocorrelation[lag - k - 1]);
+    autocorrelation.push_back(next);
   }
+  return autocorrelation;
+}
+
+double effective_share_of_variance(const std::vector<double>& autocorrelation) {
+  double sum = 1.0;
+  for (const double rho : continued(autocorrelation, longest_lag)) sum += 2.0 * rho * rho;
   return 1.0 / sum;
 }
 

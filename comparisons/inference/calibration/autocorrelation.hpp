@@ -45,6 +45,11 @@ struct EstimatedNoise {
 ///          coefficients -> test AutocorrelationTest.FindsAnAutoregressiveSeries.
 EstimatedNoise estimate_noise(const std::vector<std::span<const double>>& stretches);
 
+/// Autocorrelation at lags 1 to `lags`, beyond those given as their autoregressive model goes on.
+///
+///   ρ_l = Σ_k a_k ρ_(l−k)
+std::vector<double> continued(std::vector<double> autocorrelation, std::size_t lags);
+
 /// How many independent samples tell as much of a constant as one sample of this noise.
 ///
 ///   (1 − Σ a_k)²/v_p

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
@@ -29,6 +31,26 @@ TEST(HypothesisFitTest, AFrequencyThatWasPickedFromManyCostsMore) {
 
 TEST(HypothesisFitTest, AFormulaOfOneSizeCostsTwo) {
   EXPECT_NEAR(picked_by_search({"force-exponent", 0.01, {}}), 0.0, 1e-9);
+}
+
+/// Deviation of the reduced χ² of shots that no fit saw.
+double deviation_where_noise_was_told_by(double samples) {
+  const SynthesisFile file = testing::experiment_with({}, 1);
+  Observations seen = observe({synthesize(file, simulator_of(file, {})).dataset});
+  seen.noise_freedom = samples;
+  const HypothesisFit fit = fit_hypothesis(
+      seen, {.believed = testing::believed_law(), .effects = {}, .model_discrepancy = nullptr}, {},
+      SearchEffort::first_look);
+  const HeldOutGap gap = predict_unseen(seen, fit);
+  EXPECT_GT(gap.chi_square, 0.0);
+  return gap.deviation;
+}
+
+// χ² over its data is a ratio of two variances where the noise itself was estimated: √(2/n + 2/ν).
+TEST(HypothesisFitTest, NoiseThatWasEstimatedMakesTheUnseenGapLessCertain) {
+  const double known = deviation_where_noise_was_told_by(0.0);
+  EXPECT_NEAR(deviation_where_noise_was_told_by(200.0), std::hypot(known, 0.1), 1e-12);
+  EXPECT_NEAR(deviation_where_noise_was_told_by(1e12), known, 1e-6);
 }
 
 }  // namespace

@@ -27,6 +27,19 @@ TEST(AutocorrelationTest, PredictorsOfAFirstOrderSeries) {
   EXPECT_NEAR(found.variance[3], 1.0 - 0.49, 1e-14);
 }
 
+TEST(AutocorrelationTest, GoesOnAsItsSeriesDoes) {
+  const std::vector<double> first_order = continued({0.7}, 3);
+  ASSERT_EQ(first_order.size(), 3u);
+  EXPECT_NEAR(first_order[2], 0.343, 1e-14);
+  // ρ_l = 1.2 ρ_(l−1) − 0.4 ρ_(l−2), from ρ_1 = 1.2/1.4.
+  const double first = 1.2 / 1.4, second = 1.2 * first - 0.4;
+  const std::vector<double> second_order = continued({first, second}, 4);
+  ASSERT_EQ(second_order.size(), 4u);
+  EXPECT_NEAR(second_order[3], 1.2 * (1.2 * second - 0.4 * first) - 0.4 * second, 1e-14);
+  EXPECT_TRUE(continued({}, 5).empty());
+  EXPECT_EQ(continued({0.5, 0.4}, 1).size(), 2u);  // none is taken away
+}
+
 TEST(AutocorrelationTest, WhiteNoiseIsWhite) {
   int coloured = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
