@@ -43,7 +43,8 @@ TEST(ConversionTest, IntoItselfWithoutError) {
   EXPECT_NEAR(*same.error.peak_force, 0.0, 1e-6);
   EXPECT_NEAR(same.parameters[0].value, 2.5e5, 1e-3);
   EXPECT_NEAR(same.parameters[1].value, 60.0, 1e-6);
-  const auto& tsuji = row(convert(request_of(Convention::law)), "hertz-restitution").by_formula;
+  const auto law = convert(request_of(Convention::law));
+  const auto& tsuji = row(law, "hertz-restitution").by_formula;
   EXPECT_NEAR(*tsuji.error.restitution, 0.0, 1e-8);
   EXPECT_NEAR(*tsuji.error.peak_force, 0.0, 1e-6);
 }
