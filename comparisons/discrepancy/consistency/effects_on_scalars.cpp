@@ -10,7 +10,7 @@
 namespace rebound {
 namespace {
 
-constexpr std::size_t looked_at = 6, searched_to_the_end = 2;
+constexpr std::size_t looked_at = 10, searched_to_the_end = 4;
 
 /// The effects that promise most, by the first order or by their grid.
 std::vector<std::string> promising(const EffectSensitivities& around, double chi_square) {
