@@ -161,10 +161,9 @@ std::vector<double> continued(std::vector<double> autocorrelation, std::size_t l
   const LinearPredictors predictors = linear_predictors(autocorrelation);
   const std::vector<double>& a = predictors.coefficients.back();
   while (autocorrelation.size() < lags && !a.empty()) {
-    const std::size_t lag = autocorrelation.size() + 1;
     double next = 0.0;
     for (std::size_t k = 1; k <= a.size(); ++k)
-      next += a[k - 1] * (lag == k ? 1.0 : autocorrelation[lag - k - 1]);
+      next += a[k - 1] * autocorrelation[autocorrelation.size() - k];
     autocorrelation.push_back(next);
   }
   return autocorrelation;

@@ -134,6 +134,9 @@ TEST(CellKernelTest, PatchOfUniformDeformation) {
   constexpr double radius = 1.0, length = 1.2;
   const auto body = discretise(test::distorted_cylinder(), 1.0);
   KernelCase cells(body, test::unit_material(), baseline());
+  const CellBatches batches(body, viscoelastic_constants(test::unit_material()), baseline().width);
+  // Lanes without a cell, where the cells do not fill them, stay as they are.
+  const bool some_at_rest = batches.arrays().batches * baseline().width > batches.arrays().cells;
   for (const auto& state : patch_states) {
     const auto u = test::stretched(body, state.a, state.b);
     const auto& force = cells.force(u);
@@ -154,9 +157,9 @@ TEST(CellKernelTest, PatchOfUniformDeformation) {
     EXPECT_NEAR(on_side / (2.0 * std::numbers::pi * radius * length) / state.radial, 1.0, 1e-13);
     EXPECT_NEAR(on_top / area / state.axial, 1.0, 1e-12);
     EXPECT_NEAR(cells.energy(u) / (area * length) / state.energy, 1.0, 1e-13);
-    // Lanes without a cell, where the cells do not fill them, are at rest.
-    EXPECT_NEAR(std::min(1.0, cells.summary().smallest_jacobian),
-                std::min(1.0, state.a * state.a * state.b), 1e-14);
+    const double jacobian = state.a * state.a * state.b;
+    EXPECT_NEAR(cells.summary().smallest_jacobian,
+                some_at_rest ? std::min(1.0, jacobian) : jacobian, 1e-14);
   }
 }
 

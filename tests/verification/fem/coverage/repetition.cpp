@@ -46,6 +46,7 @@ struct Difference {
 
 int repeat_families(const std::filesystem::path& table, int count) {
   const std::vector<CoverageRow> stored = read_coverage(table);
+  const std::vector<JudgedBar> before = judge_bars(stored);
   std::vector<CoverageRow> again = stored;
   fmt::print(
       "point  cells  scalar                          value      in bars    bar        covers\n");
@@ -55,7 +56,7 @@ int repeat_families(const std::filesystem::path& table, int count) {
     for (const CoverageRow& row : run_family(family))
       for (CoverageRow& known : again)
         if (same_family(known, row) && known.quantity == row.quantity) known.values = row.values;
-    const std::vector<JudgedBar> before = judge_bars(stored), now = judge_bars(again);
+    const std::vector<JudgedBar> now = judge_bars(again);
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (!same_family(*before[i].row, family.row)) continue;
       const Difference moved(before[i], now[i]);
