@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <sstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/support/run_program.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -85,6 +87,43 @@ TEST_F(CoverageCampaign, StoppedItHasWhatWasCompleteInItsTable) {
     ASSERT_EQ(run("other-" + name + ".sqlite", name + ".csv").exit_code, 0);
     EXPECT_EQ(read_whole(table), whole);
   }
+}
+
+/// Heading of the stored table, and of its first point the truth and the family from 250 cells.
+std::vector<std::string> one_family() {
+  std::istringstream stored(read_whole(COVERAGE_TABLE));
+  std::vector<std::string> lines(1);
+  std::getline(stored, lines.front());
+  for (std::string line; std::getline(stored, line);)
+    if (line.starts_with("1,") &&
+        (line.find(",truth,") != std::string::npos || line.find(",bars,250,") != std::string::npos))
+      lines.push_back(line);
+  return lines;
+}
+
+// As it stands, and with restitutions a thousandth below those of its runs.
+TEST_F(CoverageCampaign, AgainSaysWhatTheProgramMakesOfAStoredFamily) {
+  const auto again = [&](const std::vector<std::string>& lines) {
+    std::string table;
+    for (const std::string& line : lines) table += line + "\n";
+    folder.write("table.csv", table);
+    const Outcome outcome = run_program(
+        {.arguments = {COVERAGE_CAMPAIGN, "--again", "table.csv"}, .folder = folder.path()});
+    EXPECT_EQ(read_whole(folder.path() / "table.csv"), table) << "it writes nothing";
+    return outcome;
+  };
+  std::vector<std::string> lines = one_family();
+  ASSERT_EQ(lines.size(), 11u);  // five scalars each
+  const Outcome same = again(lines);
+  EXPECT_EQ(same.exit_code, 0) << same.output << same.errors;
+  EXPECT_NE(same.output.find("; 0 verdicts differ"), std::string::npos) << same.output;
+  for (std::string& line : lines)
+    if (line.find(",bars,250,restitution,") != std::string::npos)
+      for (auto at = line.find("0.998"); at != std::string::npos; at = line.find("0.998"))
+        line.replace(at, 5, "0.997");
+  const Outcome moved = again(lines);
+  EXPECT_EQ(moved.exit_code, 1) << moved.output << moved.errors;
+  EXPECT_NE(moved.output.find("; 1 verdicts differ"), std::string::npos) << moved.output;
 }
 
 TEST_F(CoverageCampaign, ADamagedStoreIsRefusedAndLeftAsItIs) {
