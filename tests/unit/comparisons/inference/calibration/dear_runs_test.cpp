@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "comparisons/inference/calibration/calibration_cost.hpp"
 #include "comparisons/inference/calibration/calibration_problem.hpp"
 
 namespace rebound {
@@ -51,7 +52,7 @@ TEST(DearRunsTest, AtABoundTheLeastIsFoundWithFewRuns) {
 struct CountedModel {
   int runs = 0, jacobians = 0;
 
-  CalibrationResult found(bool dear) {
+  CalibrationProblem problem(bool dear) {
     CalibrationProblem problem;
     problem.parameters = {{.name = "a", .unit = "", .start = 0.5, .lowest = 0.1, .highest = 10.0},
                           {.name = "b", .unit = "", .start = 0.2, .lowest = 0.01, .highest = 9.0},
@@ -67,7 +68,7 @@ struct CountedModel {
       ++jacobians;
       return at(x);
     };
-    return calibrate(problem);
+    return problem;
   }
   static ResidualsWithJacobian at(const std::vector<double>& x) {
     ResidualsWithJacobian found;
@@ -80,9 +81,10 @@ struct CountedModel {
   }
 };
 
-TEST(DearRunsTest, ARefusedPointIsNotAskedForItsJacobian) {
+TEST(DearRunsTest, FewJacobiansLeadToTheSameEnd) {
   CountedModel plain, dear;
-  const CalibrationResult as_ever = plain.found(false), sparing = dear.found(true);
+  const CalibrationResult as_ever = calibrate(plain.problem(false)),
+                          sparing = calibrate(dear.problem(true));
   ASSERT_TRUE(as_ever.converged && sparing.converged);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(sparing.estimates[i].value, as_ever.estimates[i].value, 1e-5) << i;
@@ -91,6 +93,32 @@ TEST(DearRunsTest, ARefusedPointIsNotAskedForItsJacobian) {
         << i;
   }
   EXPECT_LT(2 * dear.jacobians, plain.jacobians) << dear.runs;
+}
+
+// A point is asked for its residuals; for its Jacobian only where it is accepted; and where the
+// next one is refused, nothing is asked again.
+TEST(DearRunsTest, ARefusedPointIsNotAskedForItsJacobian) {
+  CountedModel model;
+  const CalibrationProblem problem = model.problem(true);
+  const CalibrationCost cost(problem, 20);
+  const std::vector<double> accepted{1.0, 1.0, 0.5}, refused{3.0, 1.0, 0.5};
+  std::vector<double> residuals(20), slopes(60);
+  const auto ask = [&](const std::vector<double>& y, bool with_slopes) {
+    const double* at[] = {y.data()};
+    double* out[] = {slopes.data()};
+    ASSERT_TRUE(cost.Evaluate(at, residuals.data(), with_slopes ? out : nullptr));
+    EXPECT_EQ(residuals, CountedModel::at(y).residuals);
+    if (with_slopes) {
+      EXPECT_EQ(slopes, CountedModel::at(y).slopes);
+    }
+  };
+  ask(accepted, false);
+  EXPECT_EQ(model.jacobians, 0);
+  ask(accepted, true);
+  ask(refused, false);
+  ask(accepted, true);
+  EXPECT_EQ(model.jacobians, 1);
+  EXPECT_EQ(model.runs, 2);
 }
 
 }  // namespace
