@@ -8,12 +8,9 @@
 namespace rebound {
 namespace {
 
-/// What Xing & Stern ask for where the observed order is that of the cells, over the 1.25 that
-/// grid_convergence() holds.
-constexpr double more_safety = 1.6 / 1.25;
 /// Two standard deviations on the middle mesh, taken to the fine one at the order that all cases
-/// of the campaign together show: 3/2 (force), and at first order (time); see scalar_error().
-constexpr double of_the_force = 2.0 / (2.0 * std::numbers::sqrt2), of_the_time = 2.0 / 2.0;
+/// of the campaign together show: 3/2, and 1 for a time; see scalar_error().
+constexpr double at_three_halves = 2.0 / (2.0 * std::numbers::sqrt2), at_first_order = 2.0 / 2.0;
 
 constexpr std::string_view smooth[] = {"restitution",
                                        "restitution_momentum",
@@ -45,12 +42,11 @@ ScalarError scalar_error(const char* key, const FamilyValues& values) {
   error.meshes = grid_convergence({values.coarse, values.middle, values.fine});
   error.step = 4.0 / 3.0 * std::abs(values.halved - values.middle);
   if (name == "peak_force_N") {
-    from_three_estimates(error, values, of_the_force);
+    from_three_estimates(error, values, at_three_halves);
   } else if (name == "contact_time_tail_s") {
-    from_three_estimates(error, values, of_the_time);
+    from_three_estimates(error, values, at_first_order);
   } else if (std::find(std::begin(smooth), std::end(smooth), name) != std::end(smooth)) {
-    if (error.meshes.basis == ErrorBasis::grid_convergence) error.meshes.uncertainty *= more_safety;
-    error.scatter = values.scatter;
+    error.scatter = at_three_halves * values.scatter;
   } else {
     error.scatter = 2.0 * values.scatter;
   }

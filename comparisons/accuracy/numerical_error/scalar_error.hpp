@@ -30,8 +30,8 @@ struct ScalarError {
 ///   d₁ = middle − coarse,  d₂ = fine − middle,  s scatter,  r ripple
 ///
 ///   smooth: restitution, loss, rebound speed, deflections, vibration
-///     U_meshes = 1.6 |d₂|/(2^p − 1), or the spread: grid_convergence() with the larger safety
-///     U_scatter = s: twice the s/2 that is left on the fine mesh
+///     U_meshes = 1.25 |d₂|/(2^p − 1), or the spread: grid_convergence()
+///     U_scatter = k s,  k = 2/2^(3/2)
 ///   riding on nodes: peak force (k = 2/2^(3/2)) and contact time by its tail (k = 2/2, d₁/4 for r)
 ///     U_meshes² + U_scatter² = k² (d₂² + s² + r²)/3
 ///   the two contact times that end with a node, contact radius: not judged by the campaign
@@ -41,12 +41,13 @@ struct ScalarError {
 /// d₁/4, of second order) are three estimates of the error on the middle mesh, and no mean of fewer
 /// is steady. Their root mean square is taken twice, for 95 of 100, and to the fine mesh by 2^(−p).
 /// What one family does not show all do together: from middle to fine the root mean square of the
-/// true errors falls at the order 1.52 (force, p = 3/2) and 1.28 (time, p = 1).
+/// true errors falls at the order 1.52 (force, p = 3/2) and 1.28 (time, p = 1). The scatter of a
+/// smooth scalar comes from the same nodes and is taken to fall as in the force.
 ///
 /// Limit:  covers the truth in 95 ± 3 of 100 cases of every judged scalar, the median bar at
 ///         most four errors wide
 ///         -> test CoverageTest.BarsOfEveryQuantityCover, rows of `rebound verify`.
-/// Source: Xing & Stern, J. Fluids Eng. 132 (2010) 061403: safety of 1.6 at the formal order.
+/// Source: Roache, J. Fluids Eng. 116 (1994) 405: safety of 1.25 where three meshes show an order.
 ScalarError scalar_error(const char* key, const FamilyValues& values);
 
 }  // namespace rebound
