@@ -31,7 +31,7 @@ struct ScalarError {
 ///
 ///   smooth: restitution, loss, rebound speed, deflections, vibration
 ///     U_meshes = 1.25 |d₂|/(2^p − 1), or the spread: grid_convergence()
-///     U_scatter = k s,  k = 2/2^(3/2)
+///     U_scatter = k s,  k = 2/2^(3/2), of a deflection 2/2^2
 ///   riding on nodes: peak force (k = 2/2^(3/2)) and contact time by its tail (k = 2/2, d₁/4 for r)
 ///     U_meshes² + U_scatter² = k² (d₂² + s² + r²)/3
 ///   the two contact times that end with a node, contact radius: not judged by the campaign
@@ -42,7 +42,8 @@ struct ScalarError {
 /// is steady. Their root mean square is taken twice, for 95 of 100, and to the fine mesh by 2^(−p).
 /// What one family does not show all do together: from middle to fine the root mean square of the
 /// true errors falls at the order 1.52 (force, p = 3/2) and 1.28 (time, p = 1). The scatter of a
-/// smooth scalar comes from the same nodes and is taken to fall as in the force.
+/// smooth scalar comes from the same nodes and is taken to fall as in the force, that of a
+/// deflection, for which the force is integrated twice, at second order.
 ///
 /// Limit:  covers the truth in 95 ± 3 of 100 cases of every judged scalar, the median bar at
 ///         most four errors wide

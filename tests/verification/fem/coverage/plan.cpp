@@ -67,8 +67,8 @@ PlannedCells cells_of(int number, const CoveragePoint& point) {
     plan.truth = 4000;
     plan.nine_node = 40;
   }
-  // Of fast balls that are not stiff in volume a family of many cells takes half a minute.
-  if (number <= points && point.speed > 0.02 && point.poisson_ratio <= 0.45) {
+  // Of fast balls that are not stiff in volume a family of many cells takes a minute.
+  if (number <= points && point.speed > 0.05 && point.poisson_ratio <= 0.45) {
     plan.judged.insert(plan.judged.end(), {2000, 4000});
     plan.truth = 12000;
   }
