@@ -76,6 +76,9 @@ struct FactorAt {
 /// f at the energy `w` of a point whose strain has been up to `largest_before`.
 template <class T>
 inline FactorAt<T> factor_at(const StrainFactor& k, const T& w, const T& largest_before) {
+  // W is a difference of numbers near 1: below 1e-7 the strain is rounding, and
+  // would be divided by.
+  constexpr double rounding = 1e-7;
   FactorAt<T> at;
   const T floor = 0.0 * w;
   const T positive = w > 0.0 ? w : floor;
@@ -89,14 +92,15 @@ inline FactorAt<T> factor_at(const StrainFactor& k, const T& w, const T& largest
     g = g + value_of(k.curve, at.strain);
     curve_slope = floor + k.curve.steepest;
   }
-  T damage = 1.0 - k.mullins * (1.0 - at.strain / at.largest_strain);
-  if (k.unloading.act) damage = damage + value_of(k.unloading, T(at.strain / at.largest_strain));
+  T damage = 1.0 + floor, unloading_slope = floor;
+  if (k.mullins != 0.0 || k.unloading.act) {  // of the branch, not of a point: a division each
+    const T share = at.strain / at.largest_strain;
+    damage = 1.0 - k.mullins * (1.0 - share);
+    if (k.unloading.act) damage = damage + value_of(k.unloading, share);
+    unloading_slope = (k.mullins + k.unloading.steepest) * g / (at.largest_strain + rounding);
+  }
   at.value = g * damage;
-  // W is a difference of numbers near 1: below 1e-7 the strain is rounding, and
-  // would be divided by.
-  constexpr double rounding = 1e-7;
-  at.slope = (k.stiffening + 2.0 * k.densification * over + curve_slope +
-              (k.mullins + k.unloading.steepest) * g / (at.largest_strain + rounding)) /
+  at.slope = (k.stiffening + 2.0 * k.densification * over + curve_slope + unloading_slope) /
              (at.strain + rounding);
   return at;
 }
