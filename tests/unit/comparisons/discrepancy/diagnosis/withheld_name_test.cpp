@@ -55,6 +55,16 @@ TEST(WithheldNameTest, WhatNoiseCouldNotDoKeepsItsCandidates) {
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
 }
 
+// χ² over all readings may pass where one phase of one shot is plainly off.
+TEST(WithheldNameTest, AGapThatIsPlainInOneCellKeepsItsCandidates) {
+  Diagnosis d = small_gap();
+  d.believed.map.threshold = 3.6;
+  d.believed.map.largest = 5.6;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+  d.believed.map.largest = 3.9;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+}
+
 TEST(WithheldNameTest, AGapThatStaysIsUnexplained) {
   Diagnosis d = small_gap();
   d.gap.held_out_before = 3.0;
