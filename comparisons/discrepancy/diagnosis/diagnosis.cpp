@@ -164,7 +164,10 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (d.fem_alone &&
       (d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of))
     ask_fem_of_names(d, all, request.rules, {.interrupted = control.interrupted});
-  if (d.verdict == DiagnosisVerdict::unexplained && d.fem_alone)
+  const bool no_single_family =
+      d.verdict == DiagnosisVerdict::unexplained ||
+      (d.verdict == DiagnosisVerdict::family && d.family == EffectFamily::none);
+  if (no_single_family && d.fem_alone)
     look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
   find_nearest_formulas(d);
   show_missing_force(d);

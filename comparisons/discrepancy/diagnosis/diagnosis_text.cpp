@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
 #include "comparisons/io/text.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -82,6 +83,14 @@ std::string parameter_unit(const EffectCard& card, const std::string& parameter)
   return {};
 }
 
+std::string family_in_words(const Diagnosis& d) {
+  if (d.family != EffectFamily::none) return fmt::format("of the family '{}'", name_of(d.family));
+  std::vector<std::string> families;
+  for (std::size_t k = d.selection.baseline.fit.effects.size(); k < d.best().effects.size(); ++k)
+    families.emplace_back(name_of(acting_family(*d.seen, d.best(), k)));
+  return fmt::format("of the families '{}'", fmt::join(families, "' and '"));
+}
+
 std::string headline(const Diagnosis& d) {
   const auto sized = [&] {
     std::string text;
@@ -116,8 +125,7 @@ std::string headline(const Diagnosis& d) {
                                : "Missing from the model: " + sized() +
                                      "; what is left then, these data cannot put to a test.";
     case DiagnosisVerdict::family:
-      return fmt::format("Something of the family '{}' is missing; no name: {}.", name_of(d.family),
-                         d.withheld);
+      return fmt::format("Something {} is missing; no name: {}.", family_in_words(d), d.withheld);
     case DiagnosisVerdict::one_of: {
       std::string sets;
       for (const auto& names : d.candidates) {

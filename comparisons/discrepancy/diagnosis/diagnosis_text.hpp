@@ -32,6 +32,10 @@ std::vector<FoundNumber> numbers_of(const Diagnosis& diagnosis, const NamedEffec
 /// 0.408], relaxation time 0.61 ms [0.5 ms to 0.7 ms]."
 std::string effect_sentence(const Diagnosis& diagnosis, const NamedEffect& effect);
 
+/// Of a verdict without a name: "of the family 'surface'", or "of the families 'rate' and
+/// 'surface'" where a set of two explains the data.
+std::string family_in_words(const Diagnosis& diagnosis);
+
 /// One sentence: verdict, name, sizes, gap.
 std::string headline(const Diagnosis& diagnosis);
 

@@ -40,6 +40,11 @@ class EffectSearch {
   /// residuals.
   bool sets_of(std::size_t count);
 
+  /// Where curves alone are candidates: sets of two formulas of different families. A curve bends
+  /// to most of what two effects do, with more numbers than both have; by either criterion the set
+  /// stands beside it or takes its place.
+  void sets_beside_curves();
+
   /// Of several balls: the best sets so far again, with sizes of its own for every ball.
   bool sizes_of_each_ball();
 
@@ -80,6 +85,7 @@ class EffectSearch {
   Fits fit_all(std::size_t count, const std::function<HypothesisFit(std::size_t)>& fit) const;
   /// Ends the searches that a first look has left within reach of the best.
   void finish(Fits& looked_at) const;
+  Fits fit_extensions(std::vector<Extension> all, const std::vector<std::string>& forms) const;
   bool found(const Fits& fits);
   bool is_settled() const;
   void judge(AssessedFit& one) const;

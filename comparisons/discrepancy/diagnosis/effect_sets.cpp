@@ -46,21 +46,40 @@ bool has_own_sizes(const HypothesisFit& fit) {
 }  // namespace
 
 bool EffectSearch::sets_of(std::size_t count) {
-  std::vector<Extension> all = extensions(count);
+  return found(fit_extensions(extensions(count), count == 2 ? free_forms(base().effects, true)
+                                                            : std::vector<std::string>{}));
+}
+
+void EffectSearch::sets_beside_curves() {
+  const auto& candidates = selection_.indistinguishable;
+  if (!std::all_of(candidates.begin(), candidates.end(),
+                   [&](std::size_t i) { return has_curve(selection_.tried[i].fit); }))
+    return;
+  std::vector<Extension> all = extensions(2);
+  // Two formulas of one family are but another curve of it.
+  std::erase_if(all, [&](const Extension& one) {
+    const HypothesisFit& from = selection_.tried[one.from].fit;
+    return has_curve(from) ||
+           find_effect(one.added).card.family == find_effect(from.effects.back().name).card.family;
+  });
+  found(fit_extensions(std::move(all), {}));
+}
+
+/// The sets that promise most, and free forms of many numbers beside them.
+EffectSearch::Fits EffectSearch::fit_extensions(std::vector<Extension> all,
+                                                const std::vector<std::string>& forms) const {
   std::stable_sort(all.begin(), all.end(),
                    [](const Extension& a, const Extension& b) { return a.expected < b.expected; });
   if (std::ssize(all) > rules_.fitted_pairs)
     all.resize(static_cast<std::size_t>(rules_.fitted_pairs));
-  const std::vector<AssessedFit> before = selection_.tried;
-  const std::vector<std::string> forms =
-      count == 2 ? free_forms(base().effects, true) : std::vector<std::string>{};
+  const std::vector<AssessedFit>& before = selection_.tried;
   Fits fits = fit_all(all.size() + forms.size(), [&](std::size_t i) {
     if (i >= all.size()) return look_at_whole(find_effect(forms[i - all.size()]).card, before);
     return fit_extended(seen_, before[all[i].from].fit, all[i].starts, SearchEffort::first_look,
                         within());
   });
   finish(fits);
-  return found(fits);
+  return fits;
 }
 
 /// A free form of many numbers is looked for from nothing, and from the free forms that it

@@ -16,7 +16,10 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   const auto ends = [&](bool settled) {
     return several_balls ? search.sizes_of_each_ball() : settled;
   };
-  if (ends(search.singles())) return;
+  if (ends(search.singles())) {
+    search.sets_beside_curves();
+    return;
+  }
   // Far beyond what sets mend: the believed numbers are not those of this ball, or the data are not
   // of an impact.
   constexpr double hopeless = 1e3;

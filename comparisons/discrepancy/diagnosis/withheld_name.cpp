@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/limits_of_memory.hpp"
 #include "comparisons/discrepancy/diagnosis/unseen_choice.hpp"
 
 namespace rebound {
@@ -64,8 +65,19 @@ bool is_shared_fault(const Diagnosis& d) {
 
 }  // namespace
 
+bool is_of_two_families(const Diagnosis& d) {
+  const std::vector<EffectChoice>& effects = d.best().effects;
+  const std::size_t known = d.selection.baseline.fit.effects.size();
+  if (d.candidates.size() != 1 || effects.size() != known + 2) return false;
+  const EffectFamily first = acting_family(*d.seen, d.best(), known),
+                     second = acting_family(*d.seen, d.best(), known + 1);
+  return first != second && first != EffectFamily::measurement &&
+         second != EffectFamily::measurement;
+}
+
 DiagnosisVerdict without_name(const Diagnosis& d) {
-  return d.family == EffectFamily::none ? DiagnosisVerdict::unexplained : DiagnosisVerdict::family;
+  return d.family != EffectFamily::none || is_of_two_families(d) ? DiagnosisVerdict::family
+                                                                 : DiagnosisVerdict::unexplained;
 }
 
 void drop_candidates(Diagnosis& d) {

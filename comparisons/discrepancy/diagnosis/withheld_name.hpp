@@ -7,7 +7,11 @@
 /// What takes a name back that a search had found.
 namespace rebound {
 
-/// What is left of a verdict that has lost its name: its family, where it has one.
+/// Is the one candidate a set of two effects, of two families, neither a fault of the measurement?
+/// Data that a pair of families explains are not unexplained. The repair of a formula is no effect.
+bool is_of_two_families(const Diagnosis& diagnosis);
+
+/// What is left of a verdict that has lost its name: its family, where it has one, or two.
 DiagnosisVerdict without_name(const Diagnosis& diagnosis);
 
 /// A weaker verdict, and why; the repair of a formula that contradicts its own restitution stays.

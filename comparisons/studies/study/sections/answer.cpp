@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
 namespace rebound {
@@ -88,8 +89,7 @@ std::string missing_in_words(const Diagnosis& d) {
   switch (d.verdict) {
     case DiagnosisVerdict::agrees: return "nothing";
     case DiagnosisVerdict::missing: break;
-    case DiagnosisVerdict::family:
-      return fmt::format("something of the family '{}'", name_of(d.family));
+    case DiagnosisVerdict::family: return "something " + family_in_words(d);
     case DiagnosisVerdict::one_of: {
       std::vector<std::string> sets;
       for (const auto& set : d.candidates)

@@ -1,6 +1,7 @@
 // Several effects hidden at once, by formulas of the list.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -32,6 +33,19 @@ TEST(CompositionTest, ThreeOfFourThatShowAreNamed) {
   EXPECT_EQ(names, (std::set<std::string>{"plate-compliance", "strain-stiffening", "relaxation"}));
   EXPECT_LT(*d.gap.held_out_after, 1.2);
   EXPECT_GT(*d.gap.held_out_before, 10.0 * *d.gap.held_out_after);
+}
+
+// A spectrum of relaxation times bends to what both do, with more numbers than both have; where it
+// alone ends the search, half of what is missing is never looked for.
+TEST(CompositionTest, TwoEffectsTakeThePlaceOfACurveOfManyNumbers) {
+  for (const int seed : {1, 2, 3}) {
+    const Diagnosis d = testing::diagnose_hidden(testing::experiment_with(
+        {{"strain-stiffening", 1.0, {}}, {"relaxation", 0.1, {{"relaxation_time", 1e-3}}}}, seed));
+    EXPECT_TRUE(std::any_of(d.candidates.begin(), d.candidates.end(), [](const auto& names) {
+      return std::set<std::string>(names.begin(), names.end()) ==
+             std::set<std::string>{"strain-stiffening", "relaxation"};
+    })) << seed;
+  }
 }
 
 // The steps forward reach four effects, and not those that are there: no name is the answer.

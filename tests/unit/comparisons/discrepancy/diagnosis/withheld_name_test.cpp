@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
@@ -63,6 +68,38 @@ TEST(WithheldNameTest, AGapThatIsPlainInOneCellKeepsItsCandidates) {
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
   d.believed.map.largest = 3.9;
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+}
+
+/// One candidate of these effects, which have no family in common.
+Diagnosis explained_by(const std::vector<std::string>& names) {
+  Diagnosis d;
+  d.seen = std::make_shared<const Observations>();
+  d.candidates = {names};
+  d.selection.tried.resize(1);
+  for (const std::string& name : names)
+    d.selection.tried[0].fit.effects.push_back({.name = name, .size = 0.1, .parameters = {}});
+  d.selection.indistinguishable = {0};
+  return d;
+}
+
+TEST(WithheldNameTest, WhatAPairOfFamiliesExplainsIsNotUnexplained) {
+  const Diagnosis pair = explained_by({"pull-curves", "force-exponent"});
+  EXPECT_EQ(without_name(pair), DiagnosisVerdict::family);
+  EXPECT_EQ(family_in_words(pair), "of the families 'surface' and 'elastic'");
+  EXPECT_EQ(without_name(explained_by({"strain-stiffening", "force-exponent"})),
+            DiagnosisVerdict::unexplained);
+}
+
+// A fault beside an effect fits whatever the effect leaves, and so do three effects together.
+TEST(WithheldNameTest, WhatAFaultOrAThirdEffectCompletesStaysUnexplained) {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"damping-curves", "trigger-shift"},
+        {"pull-curves", "force-exponent", "hysteresis"},
+        {"pull-curves"}})
+    EXPECT_EQ(without_name(explained_by(names)), DiagnosisVerdict::unexplained) << names.size();
+  Diagnosis two = explained_by({"pull-curves", "force-exponent"});
+  two.candidates.push_back({"pull-curves", "hysteresis"});
+  EXPECT_EQ(without_name(two), DiagnosisVerdict::unexplained);
 }
 
 TEST(WithheldNameTest, AGapThatStaysIsUnexplained) {
