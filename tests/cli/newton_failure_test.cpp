@@ -49,7 +49,8 @@ exponent = 12
 }
 
 /// A plate of a milligram on a spring that hardly holds it: 60 iterations find no equilibrium of
-/// ball and plate, nor do they in steps cut in half six times.
+/// ball and plate, nor do they in steps cut in half six times. At 2 MPa the path to that end is
+/// chaotic: rounding decides whether a cell is turned inside out first.
 TEST_F(NewtonFailure, OfAPlateThatHasNoWeightReportsNoScalar) {
   folder.write("stall.toml", R"(schema = 1
 [impact]
@@ -63,7 +64,7 @@ scheme = "implicit"
 cells = 20
 [model.material]
 elastic = "neo-hookean"
-youngs_modulus = "2 MPa"
+youngs_modulus = "50 MPa"
 poisson_ratio = 0.4
 [model.plate]
 stiffness = "1e-6 MN/m"
