@@ -8,9 +8,8 @@
 namespace rebound {
 namespace {
 
-/// Two standard deviations on the middle mesh, taken to the fine one at an order: that which all
-/// cases of the campaign together show, 3/2, and 1 for a time; 2 of what the force is integrated
-/// twice for. See scalar_error().
+/// Two standard deviations on the middle mesh, taken to the fine one at an order: see
+/// scalar_error().
 constexpr double at_first_order = 2.0 / 2.0, at_three_halves = 2.0 / (2.0 * std::numbers::sqrt2),
                  at_second_order = 2.0 / 4.0;
 

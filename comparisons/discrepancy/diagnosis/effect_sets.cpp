@@ -28,10 +28,7 @@ bool may_join(const std::string& name, const HypothesisFit& set) {
 /// of the form would fit what another effect leaves. Beside a curve one effect is looked for: with
 /// two the set has more numbers than a name could stand on.
 bool may_grow(const HypothesisFit& set, std::size_t added) {
-  const auto is_curve = [](const EffectChoice& one) {
-    return find_effect(one.name).card.is_free_form;
-  };
-  if (added > 1 && std::any_of(set.effects.begin(), set.effects.end(), is_curve)) return false;
+  if (added > 1 && has_curve(set)) return false;
   return std::all_of(set.effects.begin(), set.effects.end(), [](const EffectChoice& one) {
     if (is_measurement(one.name)) return is_simple(one.name);
     return find_effect(one.name).card.contains.empty();

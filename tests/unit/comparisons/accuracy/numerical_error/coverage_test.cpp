@@ -149,6 +149,22 @@ TEST(CoverageTest, BarsOfEveryQuantityCover) {
   }
 }
 
+/// Order at which true relative errors fall from the middle mesh to the fine one, over all bars.
+double order_of_true_errors(const std::vector<JudgedBar>& judged) {
+  double middle = 0.0, fine = 0.0;
+  for (const JudgedBar& one : judged) {
+    middle += std::pow(one.row->values.middle / one.truth - 1.0, 2);
+    fine += std::pow(one.row->values.fine / one.truth - 1.0, 2);
+  }
+  return 0.5 * std::log2(middle / fine);
+}
+
+TEST(CoverageTest, ErrorsThatRideOnNodesFallAtTheOrdersTaken) {
+  const auto rows = read_coverage(COVERAGE_TABLE);
+  EXPECT_NEAR(order_of_true_errors(judge_bars(rows, "peak_force_N")), 1.74, 0.05);
+  EXPECT_NEAR(order_of_true_errors(judge_bars(rows, "contact_time_tail_s")), 1.37, 0.05);
+}
+
 /// By its bars alone, whether each family of a point would be called a reference, by its cells.
 std::map<int, std::map<int, bool>> labels_of(const std::vector<CoverageRow>& rows) {
   std::map<int, std::map<int, bool>> labels;
