@@ -23,7 +23,8 @@ void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
 }
 
 /// Is a cell of the map off by more than noise alone makes of any? Its limit is that of the largest
-/// of all cells: noise passes it once in fifty data sets, and by a fifth once in some five hundred.
+/// of all cells: noise passes it once in fifty data sets, and by a fifth, if it is normal, at most
+/// once in some five hundred.
 bool is_plain_in_a_cell(const ResidualMap& map) {
   constexpr double above_threshold = 1.2;
   return map.largest > above_threshold * map.threshold;
