@@ -19,6 +19,9 @@ bool enough_scalars(const Observations& all, const Material& material) {
 
 namespace {
 
+/// Scalars ask less of a mesh than histories do; what it misses is corrected all the same.
+constexpr int search_cells_of_scalars = 110;
+
 /// Shares of the work done when each part ends; measured on a sliotar core.
 constexpr double settled_share = 0.25, compared_share = 0.5, tried_share = 0.95;
 
@@ -76,7 +79,8 @@ ScalarDiagnosis diagnose_scalars(const Dataset& data, const FemProblem& believed
                 "too few scalars with an uncertainty for the numbers of the material",
                 {.file = data.folder, .key = {}, .value = {}, .allowed = {}});
   const Observations none = subset(d.all, std::vector<bool>(d.all.shots.size(), false));
-  const SettledFem settled = settle_fem(believed, {}, d.all, d.all, none, within, search_cells / 2);
+  const SettledFem settled =
+      settle_fem(believed, {}, d.all, d.all, none, within, search_cells_of_scalars);
   d.cells = settled.cells;
   d.finer_cells = settled.finer_cells;
   report_progress(settled_share);

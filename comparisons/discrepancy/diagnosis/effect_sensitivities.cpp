@@ -44,6 +44,17 @@ std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const Ef
   }
 }
 
+/// The Jacobian of the fit by what it may still move: an unknown that the data hold at its bound
+/// takes nothing out of what is missing.
+Eigen::MatrixXd free_columns(const HypothesisFit& fit) {
+  Eigen::MatrixXd columns = jacobian_at(*fit.model, fit.values);
+  const auto& estimates = fit.search.estimates;
+  for (std::size_t i = 0; i < estimates.size(); ++i)
+    if (estimates[i].identifiability == Identifiability::at_bound)
+      columns.col(static_cast<Eigen::Index>(i)).setZero();
+  return columns;
+}
+
 }  // namespace
 
 EffectSensitivities::EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
@@ -51,7 +62,7 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
     : seen_(seen), fit_(fit), effects_(std::move(effects)), of_starts_(detail) {
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
   if (!fit.values.empty()) {
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_at(*fit.model, fit.values));
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(free_columns(fit));
     basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
   } else {
     basis_.resize(rows, 0);

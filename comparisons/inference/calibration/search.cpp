@@ -5,6 +5,7 @@
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <exception>
 
 namespace rebound {
@@ -24,9 +25,10 @@ class ProgressCallback final : public ceres::IterationCallback {
         iterations_(controls.iterations),
         exact_(controls.cost_tolerance * controls.cost_tolerance) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (control_.progress) control_.progress(static_cast<double>(summary.iteration) / iterations_);
+    if (summary.iteration > 0) ++taken_;
+    if (control_.progress) control_.progress(static_cast<double>(taken_) / iterations_);
     if (control_.interrupted && control_.interrupted()) return ceres::SOLVER_ABORT;
-    if (summary.iteration == 0) first_cost_ = summary.cost;
+    if (taken_ == 0) first_cost_ = summary.cost;
     // Where residuals vanish, the share by which the cost changes never gets small.
     if (summary.cost < exact_ * first_cost_) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
     return ceres::SOLVER_CONTINUE;
@@ -37,29 +39,98 @@ class ProgressCallback final : public ceres::IterationCallback {
   int iterations_;
   double exact_;  ///< cost over the first one
   double first_cost_ = 0.0;
+  int taken_ = 0;  ///< iterations, of all parts of a search
 };
 
-/// Is the least beyond this bound, as the slope of the cost says?
-bool wants_beyond(const CalibrationParameter& p, double y, double slope) {
+enum class Bound { neither, lower, upper };
+
+Bound bound_at(const CalibrationParameter& p, double y) {
   const double low = p.lowest / p.scale, high = p.highest / p.scale, near = 1e-9 * (high - low);
-  return (y >= high - near && slope < 0.0) || (y <= low + near && slope > 0.0);
+  return y >= high - near ? Bound::upper : y <= low + near ? Bound::lower : Bound::neither;
 }
 
-/// Unknowns at a bound that hides the least, y being where a search has ended.
-std::vector<int> at_their_bounds(std::vector<double>& y, const CalibrationProblem& problem,
-                                 CalibrationCost& cost) {
+/// Unknowns at a bound that hides the least, as the slope of the cost says at y.
+std::vector<std::size_t> at_their_bounds(const std::vector<double>& y,
+                                         const CalibrationProblem& problem, CalibrationCost& cost) {
   const auto rows = static_cast<std::size_t>(cost.num_residuals());
   std::vector<double> residuals(rows), slopes(rows * y.size());
   const double* at[] = {y.data()};
   double* out[] = {slopes.data()};
-  std::vector<int> held;
+  std::vector<std::size_t> held;
   if (!cost.Evaluate(at, residuals.data(), out)) return held;
   for (std::size_t j = 0; j < y.size(); ++j) {
     double slope = 0.0;
     for (std::size_t i = 0; i < rows; ++i) slope += residuals[i] * slopes[i * y.size() + j];
-    if (wants_beyond(problem.parameters[j], y[j], slope)) held.push_back(static_cast<int>(j));
+    const Bound bound = bound_at(problem.parameters[j], y[j]);
+    if ((bound == Bound::upper && slope < 0.0) || (bound == Bound::lower && slope > 0.0))
+      held.push_back(j);
   }
   return held;
+}
+
+/// Stops where a step has brought an unknown to a bound at which it is not held.
+class StopAtBounds final : public ceres::IterationCallback {
+ public:
+  StopAtBounds(const CalibrationProblem& problem, const std::vector<double>& y,
+               const std::vector<std::size_t>& held)
+      : problem_(problem), y_(y), held_(held) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (summary.iteration == 0 || !summary.step_is_successful) return ceres::SOLVER_CONTINUE;
+    for (std::size_t j = 0; j < y_.size(); ++j)
+      if (bound_at(problem_.parameters[j], y_[j]) != Bound::neither &&
+          std::find(held_.begin(), held_.end(), j) == held_.end()) {
+        stopped_ = true;
+        return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+      }
+    return ceres::SOLVER_CONTINUE;
+  }
+  bool stopped() const { return stopped_; }
+
+ private:
+  const CalibrationProblem& problem_;
+  const std::vector<double>& y_;
+  const std::vector<std::size_t>& held_;
+  bool stopped_ = false;
+};
+
+/// What Ceres may move of so many unknowns; nothing: all of them.
+ceres::Manifold* without(const std::vector<std::size_t>& held, std::size_t unknowns) {
+  if (held.empty()) return nullptr;
+  return new ceres::SubsetManifold(static_cast<int>(unknowns), {held.begin(), held.end()});
+}
+
+/// Ceres cuts off a step at a bound and leaves the other unknowns where a longer one would have
+/// taken them: a search crawls there. What a bound holds is held, as long as it does, and the
+/// others go on without it.
+ceres::Solver::Summary search_along_bounds(ceres::Problem& search, ceres::Solver::Options options,
+                                           std::vector<double>& y,
+                                           const CalibrationProblem& problem,
+                                           CalibrationCost& cost) {
+  options.update_state_every_iteration = true;
+  const std::vector<ceres::IterationCallback*> callbacks = options.callbacks;
+  std::vector<std::size_t> held = at_their_bounds(y, problem, cost);
+  while (true) {
+    StopAtBounds stop(problem, y, held);
+    options.callbacks = callbacks;
+    options.callbacks.push_back(&stop);
+    const bool any_free = held.size() < y.size();
+    if (!any_free) options.max_num_iterations = 0;
+    search.SetManifold(y.data(), any_free ? without(held, y.size()) : nullptr);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &search, &summary);
+    if (!any_free && summary.termination_type == ceres::NO_CONVERGENCE)
+      summary.termination_type = ceres::CONVERGENCE;
+    if (stop.stopped()) summary.termination_type = ceres::NO_CONVERGENCE;
+    const int taken = static_cast<int>(summary.iterations.size()) - 1;
+    options.max_num_iterations -= std::max(1, taken);
+    if (cost.failure() || summary.termination_type == ceres::USER_FAILURE || taken < 0 ||
+        options.max_num_iterations <= 0)
+      return summary;
+    std::vector<std::size_t> now = at_their_bounds(y, problem, cost);
+    if (!stop.stopped() && now == held) return summary;
+    held = std::move(now);
+    options.initial_trust_region_radius = summary.iterations.back().trust_region_radius;
+  }
 }
 
 }  // namespace
@@ -94,19 +165,10 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
   ProgressCallback callback(control, problem.controls);
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &search, &summary);
-  // Steps that a bound cuts off lead the others astray: a search ends early there. What the bound
-  // holds is left where it is, and the rest goes on.
-  const int left = problem.controls.iterations - static_cast<int>(summary.iterations.size()) + 1;
-  if (problem.controls.runs_are_dear && !cost.failure() && left > 0 &&
-      summary.termination_type != ceres::USER_FAILURE) {
-    const std::vector<int> held = at_their_bounds(y, problem, cost);
-    if (!held.empty() && held.size() < y.size()) {
-      search.SetManifold(y.data(), new ceres::SubsetManifold(static_cast<int>(y.size()), held));
-      options.max_num_iterations = left;
-      ceres::Solve(options, &search, &summary);
-    }
-  }
+  if (problem.controls.runs_are_dear)
+    summary = search_along_bounds(search, options, y, problem, cost);
+  else
+    ceres::Solve(options, &search, &summary);
   if (cost.failure()) std::rethrow_exception(cost.failure());
   const bool converged = summary.termination_type == ceres::CONVERGENCE ||
                          summary.termination_type == ceres::USER_SUCCESS;

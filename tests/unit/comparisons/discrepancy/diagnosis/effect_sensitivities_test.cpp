@@ -68,6 +68,28 @@ TEST(EffectSensitivitiesTest, TheThresholdOfOneEffectIsThatOfChiSquare) {
   EXPECT_NEAR(one.around.threshold(0.05, 1), 3.84, 0.32);
 }
 
+// Of a law that is free the damping takes out what it changes; of one that the data hold at a bound
+// it could take out no more than the bound allows, which is nothing.
+TEST(EffectSensitivitiesTest, ANumberAtItsBoundTakesNothingOutOfWhatIsMissing) {
+  const SynthesisFile file = testing::experiment_with({}, 500);
+  const Observations seen = observe({synthesize(file, simulator_of(file, {})).dataset});
+  const auto left_of_damping = [&](double believed_damping, Identifiability expected) {
+    LumpedModel believed = testing::believed_law();
+    believed.parameters["damping"] = believed_damping;
+    const HypothesisFit fit = fit_hypothesis(seen, {.believed = believed});
+    std::size_t damping = 0;
+    while (fit.model->unknowns().at(damping).name != "damping") ++damping;
+    EXPECT_EQ(fit.search.estimates[damping].identifiability, expected);
+    const Eigen::VectorXd column =
+        jacobian_at(*fit.model, fit.values).col(static_cast<Eigen::Index>(damping));
+    const EffectSensitivities around(seen, fit, {"hysteresis"});
+    return around.project(column).norm() / column.norm();
+  };
+  constexpr double fitted = 8e4, far_too_much = 8e4 * 100.0;  // bounds: a factor of e³ either way
+  EXPECT_LT(left_of_damping(fitted, Identifiability::identified), 1e-6);
+  EXPECT_GT(left_of_damping(far_too_much, Identifiability::at_bound), 0.1);
+}
+
 // Hysteresis takes energy away: data that ask for the opposite give it nothing.
 TEST(EffectSensitivitiesTest, TheWrongSideOfAnEffectGainsNothing) {
   int wrong = 0;

@@ -48,6 +48,39 @@ TEST(DearRunsTest, AtABoundTheLeastIsFoundWithFewRuns) {
   EXPECT_LT(decay.runs, 80);  // 60
 }
 
+/// A curved valley along y = x², and z that would like to be 5 and may not be more than 1.
+struct ValleyBesideABound {
+  int runs = 0;
+
+  CalibrationResult found() {
+    CalibrationProblem problem;
+    problem.parameters = {{.name = "x", .unit = "", .start = -1.2, .lowest = -4.0, .highest = 4.0},
+                          {.name = "y", .unit = "", .start = 1.0, .lowest = -9.0, .highest = 9.0},
+                          {.name = "z", .unit = "", .start = 0.5, .lowest = -1.0, .highest = 1.0}};
+    problem.noise = NoiseKnowledge::known;
+    problem.controls.runs_are_dear = true;
+    problem.controls.differences = Differences::one_sided;
+    problem.controls.cost_tolerance = 1e-6;
+    problem.residuals = [this](const std::vector<double>& x) -> std::vector<double> {
+      ++runs;
+      return {10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 8.0 - x[2] - 3.0 * x[0]};
+    };
+    return calibrate(problem);
+  }
+};
+
+// With z at its bound the least is where 10 x = 22. A search that steps with z and is cut off there
+// takes 156 runs.
+TEST(DearRunsTest, ABoundTakesNothingFromTheStepsOfTheOthers) {
+  ValleyBesideABound valley;
+  const CalibrationResult found = valley.found();
+  ASSERT_TRUE(found.converged);
+  EXPECT_NEAR(found.estimates[0].value, 2.2, 1e-3);
+  EXPECT_NEAR(found.estimates[1].value, 2.2 * 2.2, 5e-3);
+  EXPECT_EQ(found.estimates[2].identifiability, Identifiability::at_bound);
+  EXPECT_LT(valley.runs, 110);  // 88
+}
+
 /// a exp(-b t) + c against data of it, its Jacobian taken by the model itself.
 struct CountedModel {
   int runs = 0, jacobians = 0;
