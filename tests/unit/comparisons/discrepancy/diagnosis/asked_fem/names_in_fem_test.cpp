@@ -1,5 +1,5 @@
 // Which names FE can be asked of.
-#include "comparisons/discrepancy/diagnosis/names_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "comparisons/discrepancy/diagnosis/beside_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
 
 #include <fmt/format.h>
 
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/fem_answers.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 
 #include <fmt/format.h>
 

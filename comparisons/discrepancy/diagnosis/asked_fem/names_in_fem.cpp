@@ -1,9 +1,9 @@
-#include "comparisons/discrepancy/diagnosis/names_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
 
 #include <fmt/format.h>
 
 #include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
-#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
-#include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 
 namespace rebound {
 

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/effects_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/each_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "comparisons/io/dataset/measured_impact.hpp"
 #include "lumped/problem/result.hpp"

@@ -1,10 +1,10 @@
-#include "comparisons/discrepancy/diagnosis/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 
 #include <cmath>
 #include <set>
 
-#include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
-#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 
 namespace rebound {
 namespace {

@@ -1,4 +1,4 @@
-#include "comparisons/discrepancy/diagnosis/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
