@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/contradictions.hpp"
-#include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
-#include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict.hpp"

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_tables.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
-#include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
 #include "comparisons/discrepancy/diagnosis/shot_pictures.hpp"
 #include "comparisons/io/results/key_words.hpp"

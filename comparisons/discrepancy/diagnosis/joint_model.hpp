@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/law_factors.hpp"
 #include "comparisons/inference/calibration/material_factors.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
 namespace rebound {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/run_control.hpp"

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_tables.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_tables.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/shot_pictures.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
