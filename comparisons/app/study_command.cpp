@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/interruption.hpp"
@@ -16,6 +18,7 @@
 #include "comparisons/io/toml/help_writer.hpp"
 #include "comparisons/io/toml/toml_writer.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "comparisons/studies/reproduce/report_sections.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 #include "comparisons/studies/study/study_json.hpp"
@@ -109,11 +112,30 @@ std::string complete_cores(const StudyRun& run) {
   return fmt::format("complete and kept in {}: core {}", run.out.string(), labels);
 }
 
+/// Side by side, since some of a diagnosis keeps one processor busy alone; each is written when it
+/// ends, in the order of the file.
+void run_experiments(StudyRun& run, const RunControl& control) {
+  const std::size_t count = run.study.experiments.size();
+  std::vector<bool> ended(count, false);
+  std::mutex one_at_a_time;
+  in_parallel(count, [&](std::size_t i) {
+    ExperimentStudy one =
+        study_experiment(run.study.experiments[i], {.interrupted = control.interrupted});
+    const std::scoped_lock lock(one_at_a_time);
+    ended[i] = true;
+    const auto before =
+        std::count(ended.begin(), ended.begin() + static_cast<std::ptrdiff_t>(i), true);
+    run.experiments.insert(run.experiments.begin() + before, std::move(one));
+    control.progress(static_cast<double>(run.experiments.size()) / static_cast<double>(count));
+    write_study(run);
+  });
+}
+
 Json run_cores(StudyRun& run) {
   ProgressLine progress("study");
   const RunControl whole = progress.control();
   // Of a core's work; measured.
-  constexpr double experiment_share = 0.15, simulation_share = 2.0;
+  constexpr double experiment_share = 0.5, simulation_share = 1.8;
   const auto cores = static_cast<double>(run.study.cores.size());
   const double count = (1.0 + simulation_share) * cores +
                        experiment_share * static_cast<double>(run.study.experiments.size());
@@ -137,13 +159,11 @@ Json run_cores(StudyRun& run) {
     };
     diagnose_simulation(run.study.fem, run.cores, control);
     json = write_study(run);
-    for (const StudyExperiment& experiment : run.study.experiments) {
-      run.experiments.push_back(study_experiment(experiment, {.interrupted = whole.interrupted}));
-      whole.progress(((1.0 + simulation_share) * cores +
-                      experiment_share * static_cast<double>(run.experiments.size())) /
-                     count);
-      json = write_study(run);
-    }
+    control.progress = [&](double fraction) {
+      const double before = (1.0 + simulation_share) * cores;
+      whole.progress((before + (count - before) * fraction) / count);
+    };
+    run_experiments(run, control);
     run.complete = true;
     json = write_study(run);
   } catch (const Error& error) {
