@@ -4,6 +4,7 @@
 #include "comparisons/discrepancy/diagnosis/joint_model.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
 #include "comparisons/models/instrument/contact_ends.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/error.hpp"
@@ -70,6 +71,13 @@ const JointModel::KeptImpact& JointModel::kept_impact(const std::vector<double>&
   if (kept.size() >= most_kept) kept.clear();
   auto run = std::make_shared<const ModelledImpact>(run_impact(values, shot));
   return kept.emplace(std::move(key), std::move(run)).first->second;
+}
+
+void JointModel::run_fem_ahead(const std::vector<double>& values) const {
+  in_parallel(seen_.shots.size(), [&](std::size_t first) {
+    for (std::size_t shot = first; shot < seen_.shots.size(); ++shot)
+      if (first_of_group_[shot] == first) kept_impact(values, shot);
+  });
 }
 
 ModelledImpact JointModel::run_at(const std::vector<double>& values, std::size_t shot,

@@ -150,6 +150,9 @@ class JointModel {
   using KeptImpact = std::shared_ptr<const ModelledImpact>;
   const KeptImpact& kept_impact(const std::vector<double>& values, std::size_t shot) const;
   ModelledImpact run_impact(const std::vector<double>& values, std::size_t shot) const;
+  /// Impacts of FE, which take milliseconds, side by side; repeated shots share theirs, and come
+  /// one after the other.
+  void run_fem_ahead(const std::vector<double>& values) const;
   /// The impact of a shot at another speed.
   ModelledImpact run_at(const std::vector<double>& values, std::size_t shot, double speed) const;
   ModelledImpact run_in_fem(const std::vector<double>& values, std::size_t shot,

@@ -192,6 +192,7 @@ const std::vector<double>& JointModel::block_of(const std::vector<double>& value
 std::vector<double> JointModel::data_residuals(const std::vector<double>& values) const {
   std::vector<double> residuals;
   residuals.reserve(rows_.size() + unknowns_.size());
+  if (fem()) run_fem_ahead(values);
   for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
     const std::vector<double>& block = block_of(values, i);
     residuals.insert(residuals.end(), block.begin(), block.end());

@@ -12,8 +12,6 @@ namespace {
 
 /// By how much material numbers are moved to see what a correction is worth beside its own impact.
 constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
-/// The first look, which says where to cut and where to start, needs so many times fewer cells.
-constexpr int fewer_at_first = 3;
 /// Of what a mesh of half the edge changes, what one of no edge would change yet: second order.
 constexpr double still_missing = 1.0 / 3.0;
 
@@ -111,11 +109,25 @@ std::vector<Material> materials_of(const HypothesisFit& fit, std::size_t balls) 
   return materials;
 }
 
-SettledFem settled_on(int cells, const HypothesisFit& near, const Observations& all,
-                      const Observations& seen, const Observations& unseen,
-                      const RunControl& control) {
+}  // namespace
+
+SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
+                      const Observations& all, const Observations& seen, const Observations& unseen,
+                      const RunControl& control, int cells) {
+  const std::vector<Material> as_believed(all.balls.size(), believed.material);
+  const auto fem = std::make_shared<const FemBelief>(believed, all, as_believed, cells, control);
+  // Where the balls are cut, and where the next search starts: a first look tells.
+  const HypothesisFit first =
+      fit_believed(seen, {.fem = fem, .effects = effects}, control, SearchEffort::first_look);
+  return settle_fem_at(first, all, seen, unseen, control);
+}
+
+SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
+                         const Observations& seen, const Observations& unseen,
+                         const RunControl& control) {
   const std::vector<Material> materials = materials_of(near, all.balls.size());
   FemProblem fitted = near.model->fem()->problem();
+  const int cells = fitted.cells;
   fitted.material = materials.front();
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
   constexpr int one_halving = 1;
@@ -132,25 +144,6 @@ SettledFem settled_on(int cells, const HypothesisFit& near, const Observations& 
           .numerical_uncertainty = comparison.largest(),
           .cells = cut->cells(),
           .finer_cells = fine.cells()};
-}
-
-}  // namespace
-
-SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
-                      const Observations& all, const Observations& seen, const Observations& unseen,
-                      const RunControl& control, int cells) {
-  const std::vector<Material> as_believed(all.balls.size(), believed.material);
-  const auto fem = std::make_shared<const FemBelief>(believed, all, as_believed,
-                                                     cells / fewer_at_first, control);
-  const HypothesisFit first =
-      fit_believed(seen, {.fem = fem, .effects = effects}, control, SearchEffort::first_look);
-  return settled_on(cells, first, all, seen, unseen, control);
-}
-
-SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
-                         const Observations& seen, const Observations& unseen,
-                         const RunControl& control) {
-  return settled_on(near.model->fem()->problem().cells, near, all, seen, unseen, control);
 }
 
 }  // namespace rebound
