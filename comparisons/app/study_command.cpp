@@ -139,7 +139,6 @@ Json run_cores(StudyRun& run) {
   const auto cores = static_cast<double>(run.study.cores.size());
   const double count = (1.0 + simulation_share) * cores +
                        experiment_share * static_cast<double>(run.study.experiments.size());
-  Json json;
   try {
     for (std::size_t i = 0; i < run.study.cores.size(); ++i) {
       RunControl control = whole;
@@ -148,7 +147,7 @@ Json run_cores(StudyRun& run) {
       };
       run.cores.push_back(study_core(run.study, run.study.cores[i], control));
       write_core(run.out, run.cores.back(), run.provenance);
-      json = write_study(run);
+      write_study(run);
       if (i == 0)
         progress.say(fmt::format("core {} is complete; the report so far, which grows: {}",
                                  run.cores.back().label, (run.out / "report.html").string()));
@@ -158,21 +157,20 @@ Json run_cores(StudyRun& run) {
       whole.progress((cores + simulation_share * cores * fraction) / count);
     };
     diagnose_simulation(run.study.fem, run.cores, control);
-    json = write_study(run);
+    write_study(run);
     control.progress = [&](double fraction) {
       const double before = (1.0 + simulation_share) * cores;
       whole.progress((before + (count - before) * fraction) / count);
     };
     run_experiments(run, control);
     run.complete = true;
-    json = write_study(run);
+    return write_study(run);
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted) throw;
     throw Error(
         ExitCode::interrupted,
         fmt::format("interrupted; {}; the same command runs the study again", complete_cores(run)));
   }
-  return json;
 }
 
 ExitCode run_study(const Session& session, const std::string& file) {

@@ -11,8 +11,6 @@ namespace rebound {
 namespace {
 
 constexpr std::size_t looked_at = 8, searched_to_the_end = 4;
-/// A first look that leaves so many times what the best leaves at its end is not gone on with.
-constexpr double far_behind = 3.0;
 
 /// The effects that promise most, by the first order or by their grid.
 std::vector<std::string> promising(const EffectSensitivities& around, double chi_square) {
@@ -40,19 +38,18 @@ std::vector<HypothesisFit> best_first(Fits fits) {
   return all;
 }
 
-/// The best of first looks, and those that are not far behind it, searched to their ends.
+/// The best of first looks, and those within reach of it, searched to their ends.
 Fits searched_further(const Observations& seen, std::vector<HypothesisFit> looks,
-                      const RunControl& control) {
-  const RunControl within{.interrupted = control.interrupted};
+                      const RunControl& within) {
   if (looks.empty()) return {};
   const auto search_on = [&](std::size_t k) { return fit_further(seen, looks[k], within); };
   Fits fits = fit_each<HypothesisFit>(1, within, search_on);
   const double best = fits.front() ? fits.front()->chi_square : looks.front().chi_square;
   std::size_t further = 1;
   while (further < std::min(searched_to_the_end, looks.size()) &&
-         looks[further].chi_square < far_behind * best)
+         looks[further].chi_square < first_look_reach * best)
     ++further;
-  for (auto& fit : fit_each<HypothesisFit>(further - 1, control,
+  for (auto& fit : fit_each<HypothesisFit>(further - 1, within,
                                            [&](std::size_t k) { return search_on(k + 1); }))
     fits.push_back(std::move(fit));
   for (std::size_t k = further; k < looks.size(); ++k) fits.emplace_back(std::move(looks[k]));
@@ -73,7 +70,7 @@ std::vector<HypothesisFit> try_effects(const Observations& seen, const Hypothesi
                             within);
       }));
   std::vector<HypothesisFit> tried;
-  for (HypothesisFit& fit : best_first(searched_further(seen, std::move(fits), control)))
+  for (HypothesisFit& fit : best_first(searched_further(seen, std::move(fits), within)))
     if (fit.chi_square < believed.chi_square) tried.push_back(std::move(fit));
   return tried;
 }

@@ -65,7 +65,6 @@ EffectSearch::Fits EffectSearch::fit_all(
 }
 
 void EffectSearch::finish(Fits& looked_at) const {
-  constexpr double within_reach = 3.0;  // times the best χ²; most stand a hundred times above
   double best = std::numeric_limits<double>::infinity();
   for (const auto& fit : looked_at)
     if (fit) best = std::min(best, fit->chi_square);
@@ -73,7 +72,7 @@ void EffectSearch::finish(Fits& looked_at) const {
   std::vector<std::size_t> promising;
   for (std::size_t i = 0; i < looked_at.size(); ++i)
     if (looked_at[i] && !looked_at[i]->search.converged &&
-        looked_at[i]->chi_square <= within_reach * best)
+        looked_at[i]->chi_square <= first_look_reach * best)
       promising.push_back(i);
   Fits finished = fit_all(promising.size(), [&](std::size_t i) {
     return fit_further(seen_, *looked_at[promising[i]], within());

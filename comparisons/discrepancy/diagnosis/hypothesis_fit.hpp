@@ -45,6 +45,9 @@ std::vector<double> values_from(const HypothesisFit& fit, const JointModel& mode
 
 /// How far a search goes: a first look tells which of many hypotheses deserve a whole one.
 enum class SearchEffort { first_look, whole };
+/// A first look that leaves more than so many times the χ² of the best does not; most leave a
+/// hundred times as much.
+inline constexpr double first_look_reach = 3.0;
 
 /// Fits a hypothesis, effects included, from its numbers as they stand.
 /// Errors: as JointModel and calibrate().
