@@ -11,7 +11,7 @@
 #include "comparisons/app/print_result.hpp"
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/app/terminal.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/results/result_folder.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"

@@ -5,7 +5,7 @@
 #include "comparisons/app/calibrate_law.hpp"
 #include "comparisons/app/calibrate_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "comparisons/discrepancy/synthesis/truth.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
 
 namespace rebound {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 
 namespace rebound {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
 #include "comparisons/discrepancy/synthesis/synthesis_file.hpp"
 
 namespace rebound {

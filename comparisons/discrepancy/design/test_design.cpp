@@ -5,8 +5,8 @@
 #include <map>
 
 #include "comparisons/discrepancy/design/planned_data.hpp"
-#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/excluded_sizes.hpp"
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/excluded_sizes.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"

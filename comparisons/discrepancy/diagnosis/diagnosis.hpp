@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/candidate_family.hpp"
 #include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
-#include "comparisons/discrepancy/diagnosis/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
-#include "comparisons/discrepancy/diagnosis/named_effect.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment/next_experiment.hpp"
-#include "comparisons/discrepancy/diagnosis/selection.hpp"
-#include "comparisons/discrepancy/diagnosis/selection_bootstrap.hpp"
+#include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
+#include "comparisons/discrepancy/diagnosis/search/selection.hpp"
+#include "comparisons/discrepancy/diagnosis/search/selection_bootstrap.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/candidate_family.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/named_effect.hpp"
 #include "comparisons/io/dataset/dataset.hpp"
 
 /// Where a believed model and data disagree, and which named effect is missing.

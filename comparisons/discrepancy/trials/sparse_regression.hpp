@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/models/effects/effect.hpp"
 
 namespace rebound {

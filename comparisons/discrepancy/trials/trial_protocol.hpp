@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/io/results/json.hpp"
 
 namespace rebound {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 
 namespace rebound {

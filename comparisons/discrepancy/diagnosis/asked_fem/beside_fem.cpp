@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
-#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
-#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {

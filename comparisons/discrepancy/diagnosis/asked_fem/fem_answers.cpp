@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 
 namespace rebound {
 namespace {

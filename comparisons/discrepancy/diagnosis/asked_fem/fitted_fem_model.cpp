@@ -7,8 +7,8 @@
 #include <map>
 #include <tuple>
 
-#include "comparisons/discrepancy/diagnosis/each_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/record_of_impact.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/record_of_impact.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/nuisances.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"

@@ -7,7 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
-#include "comparisons/discrepancy/diagnosis/effect_grid.hpp"
-#include "comparisons/discrepancy/diagnosis/withheld_name.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_grid.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {

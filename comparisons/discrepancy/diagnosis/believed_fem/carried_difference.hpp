@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/modelled_impact.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/modelled_impact.hpp"
 
 namespace rebound {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 
 namespace rebound {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
+#include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 
 namespace rebound {
 namespace {

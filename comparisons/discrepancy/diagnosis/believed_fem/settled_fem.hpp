@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 
 namespace rebound {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/held_out_speed.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/first_touch.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 
 namespace rebound {
 

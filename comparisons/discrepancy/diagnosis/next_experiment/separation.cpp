@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/static_force.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/static_force.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"

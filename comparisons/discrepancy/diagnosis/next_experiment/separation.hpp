@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "comparisons/discrepancy/diagnosis/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment/experiments.hpp"
 
 namespace rebound {

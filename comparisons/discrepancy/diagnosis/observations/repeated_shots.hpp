@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/joint_model.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/joint_model.hpp"
 
 namespace rebound {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
 namespace rebound {

@@ -2,8 +2,8 @@
 
 #include <cctype>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_report.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_report.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
 namespace rebound {

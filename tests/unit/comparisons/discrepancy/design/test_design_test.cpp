@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/design/planned_data.hpp"
-#include "comparisons/discrepancy/diagnosis/assessed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "comparisons/discrepancy/diagnosis/verdict.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/verdict.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 

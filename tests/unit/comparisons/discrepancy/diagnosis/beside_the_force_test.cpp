@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/fits/slow_comparisons.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/static_force.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
-#include "comparisons/discrepancy/diagnosis/slow_comparisons.hpp"
-#include "comparisons/discrepancy/diagnosis/static_force.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

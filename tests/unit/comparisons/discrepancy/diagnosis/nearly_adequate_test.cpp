@@ -1,7 +1,7 @@
 // What is nearly adequate, or only fits plainly better, against what is adequate and fits worse.
 #include <gtest/gtest.h>
 
-#include "comparisons/discrepancy/diagnosis/candidates.hpp"
+#include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 
 namespace rebound {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "comparisons/discrepancy/diagnosis/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {

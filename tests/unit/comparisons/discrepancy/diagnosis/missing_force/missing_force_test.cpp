@@ -7,9 +7,9 @@
 #include <memory>
 #include <ostream>
 
-#include "comparisons/discrepancy/diagnosis/diagnosis_json.hpp"
-#include "comparisons/discrepancy/diagnosis/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force_pictures.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/missing_force/added_force_cases.hpp"
 

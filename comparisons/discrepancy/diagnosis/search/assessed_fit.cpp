@@ -1,0 +1,123 @@
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "comparisons/inference/calibration/distributions.hpp"
+
+namespace rebound {
+
+namespace {
+
+/// Chance of as large a χ² or a larger one where nothing is missing. Where the noise itself was
+/// estimated, its own error counts: χ² over freedom is a ratio of variances then.
+double p_value_of(const HypothesisFit& fit, double noise_freedom) {
+  if (noise_freedom > 0.0)
+    return fisher_chance_above(fit.freedom, noise_freedom, fit.reduced_chi_square());
+  return chi_squared_chance_above(fit.freedom, fit.data_chi_square);
+}
+
+double largest_z(const ResidualMap& map) {
+  double largest = 0.0;
+  for (const MapCell& cell : map.cells) largest = std::max(largest, std::abs(cell.z));
+  return largest;
+}
+
+/// Does one more effect bring no more than what this share of the residuals is in χ²?
+bool has_little_remaining(const AssessedFit& baseline, const AssessedFit& candidate, double share) {
+  const double explained = baseline.fit.chi_square - candidate.fit.chi_square;
+  return candidate.best_remaining <=
+         std::max(candidate.remaining_threshold, share * share * explained);
+}
+
+/// A curve through a few points is judged by what it leaves of the residuals of the baseline.
+void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
+  constexpr double share = 0.1, most_remaining = 0.3;  // of the residuals
+  if (curve.p_value <= rules.smallest_adequate_p ||
+      largest_z(curve.map) > std::max(curve.map.threshold, share * largest_z(baseline.map)))
+    return;
+  curve.adequate = has_little_remaining(baseline, curve, share);
+  curve.nearly_adequate = has_little_remaining(baseline, curve, most_remaining);
+}
+
+/// A formula that leaves a little is nearly what is missing: of the map a fifth above its
+/// threshold, of the χ² a twelfth of what it explains.
+void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& formula) {
+  constexpr double above_threshold = 1.2, most_remaining = 0.3;  // of the residuals
+  formula.nearly_adequate = formula.p_value > rules.smallest_adequate_p &&
+                            largest_z(formula.map) <= above_threshold * formula.map.threshold &&
+                            has_little_remaining(baseline, formula, most_remaining);
+}
+
+}  // namespace
+
+bool has_curve(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.is_free_form;
+  });
+}
+
+std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
+                                     const std::vector<std::string>& effects) {
+  std::vector<std::string> others;
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(others),
+               [&](const std::string& name) {
+                 return std::none_of(present.begin(), present.end(),
+                                     [&](const EffectChoice& one) { return one.name == name; });
+               });
+  return others;
+}
+
+std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present) {
+  std::vector<std::string> names;
+  for (const Effect& effect : all_effects())
+    if (!effect.card.is_free_form && !effect.card.told_by_readings &&
+        (effect.to_lumped || effect.to_measurement))
+      names.push_back(effect.card.name);
+  return absent_from(present, names);
+}
+
+AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
+                                const SelectionRules& rules) {
+  AssessedFit candidate;
+  candidate.fit = std::move(fit);
+  candidate.p_value = p_value_of(candidate.fit, seen.noise_freedom);
+  candidate.judged = candidate.p_value <= rules.smallest_adequate_p;
+  return candidate;
+}
+
+void look_closely(const Observations& seen, const EffectSensitivities& around,
+                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit) {
+  fit.map = residual_map(seen, fit.fit, around, level, seed);
+  fit.remaining_threshold = around.threshold(level, seed);
+  for (const EffectScore& score : around.scores())
+    fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
+  fit.judged = true;
+  fit.adequate = fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
+                 fit.best_remaining <= fit.remaining_threshold;
+}
+
+AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
+                           const std::vector<std::string>& effects, const SelectionRules& rules,
+                           std::uint64_t seed) {
+  AssessedFit believed = judge_by_chi_square(seen, std::move(fit), rules);
+  const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit.effects, effects));
+  look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
+  return believed;
+}
+
+void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
+                     const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
+                     AssessedFit& candidate) {
+  const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
+                                   GridDetail::coarse);
+  look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
+  if (candidate.adequate) return;
+  if (has_curve(candidate.fit))
+    judge_curve(rules, baseline, candidate);
+  else
+    judge_formula(rules, baseline, candidate);
+}
+
+}  // namespace rebound

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/search/residual_map.hpp"
+
+namespace rebound {
+
+/// Numbers that decide; frozen, so that a verdict means the same everywhere.
+struct SelectionRules {
+  double false_gap_level = 0.02;  ///< chance that noise alone passes one of the two tests
+  /// The same for a candidate: many are judged, and what is left over must not refuse the right
+  /// one.
+  double candidate_level = 0.002;
+  double close_criterion = 6.0;  ///< a rival within this information criterion is not ruled out
+  double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
+  int fitted_singles = 10;            ///< best physical effects that are fitted in full
+  int fitted_faults = 6;              ///< best faults of the measurement
+  int fitted_pairs = 8;               ///< of sets of two effects and more, per step
+  std::size_t most_effects = 4;       ///< of a set
+  int bootstrap_draws = 999;          ///< repetitions of the choice; 0: none
+  /// Of the repetitions: an effect that is chosen less often carries no name.
+  double least_inclusion = 0.75;
+};
+
+/// A fitted set of effects, assessed.
+struct AssessedFit {
+  HypothesisFit fit;
+  ResidualMap map;
+  double p_value = 0.0;         ///< of χ² over the data
+  double best_remaining = 0.0;  ///< largest Δχ² that one more effect would bring, to first order
+  double remaining_threshold = 0.0;
+  /// Of the speed that no fit saw; absent where it was not asked.
+  std::optional<double> unseen_chi_square;
+  bool unseen_denies = false;  ///< a rival predicts that speed plainly better
+  bool judged = false;         ///< refused by its χ² alone, or looked at closely
+  /// Not adequate by itself: noise could make its χ² and nearly its map, while some effect would
+  /// still bring a little.
+  bool nearly_adequate = false;
+  bool adequate = false;  ///< nothing left that noise could not do
+
+  /// χ² + k ln N, with the χ² of the unseen speed where that was asked.
+  double information_criterion() const {
+    return fit.information_criterion + unseen_chi_square.value_or(0.0);
+  }
+  /// χ² + 2 k, the same. By χ² + k ln N alone, an adequate model of one number would exclude a
+  /// truth of two: ln N of all samples is more than the reach of a set.
+  double prediction_criterion() const {
+    return fit.prediction_criterion + unseen_chi_square.value_or(0.0);
+  }
+  /// Where a curve is adequate: only since it is allowed to leave a share of the residuals.
+  bool leaves_structure() const { return !map.quiet() || best_remaining > remaining_threshold; }
+};
+
+/// Is one of its effects a free form?
+bool has_curve(const HypothesisFit& fit);
+
+/// Those of `effects` that are not present.
+std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
+                                     const std::vector<std::string>& effects);
+
+/// What may be missing beside those that are present: everything in the list that has a name and a
+/// form for a lumped model or a measurement.
+std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present);
+
+/// A fit by its χ² alone: judged where that refuses it, and open otherwise.
+AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
+                                const SelectionRules& rules);
+
+/// Looks at what is left over: the residual map, and what one more effect would bring by what is
+/// known around the fit.
+void look_closely(const Observations& seen, const EffectSensitivities& around,
+                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
+
+/// The model that is believed: looked at closely whatever its χ², for its map.
+AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
+                           const std::vector<std::string>& effects, const SelectionRules& rules,
+                           std::uint64_t seed);
+
+/// One of many candidates that χ² leaves open.
+///
+/// Of a free form a tenth of the baseline's residuals may be left, which is a hundredth of the χ²
+/// that it explains: a smooth curve through six points is no closer to what it stands for. It never
+/// carries a name. Where one more effect would bring up to a tenth of that χ², and nothing else is
+/// left, it is nearly adequate; so is a formula, which then carries no name either.
+void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
+                     const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
+                     AssessedFit& candidate);
+
+}  // namespace rebound

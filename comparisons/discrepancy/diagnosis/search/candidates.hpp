@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
+
+/// Which of the fits of a search are candidates.
+namespace rebound {
+
+/// Judges those fits that may become candidates, best criterion first: what is beyond reach of an
+/// adequate one need not be judged. `tried` must be in the order of the information criterion.
+void judge_candidates(std::vector<AssessedFit>& tried, double reach,
+                      const std::function<void(AssessedFit&)>& judge);
+
+/// Adequate, within reach of the best adequate one by either criterion (χ² + k ln N, χ² + 2 k), and
+/// without a smaller adequate set inside or one with a formula in place of a free curve. Sizes of
+/// every ball, or one that all share: whichever is better by χ² + k ln N. Indices into `tried`.
+std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
+                                                  double reach);
+
+/// May a search end with these candidates? Not with none, and not with single curves alone that
+/// leave what noise does not: a curve bends to most of what two effects do together.
+bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::size_t>& members,
+                  std::size_t known);
+
+/// The best fit whose χ² noise could make, where it is beyond reach of every adequate one, to the
+/// better: something is left beside it, and what leaves nothing fits plainly worse. Null: none.
+const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
+                                        double smallest_p);
+
+/// A single effect that is nearly adequate and beyond reach of all adequate sets, to the better:
+/// what fits worse explains the data no better. Where there are some, they are adequate, and the
+/// candidates. A formula that is nearly adequate and leads adequate single effects by less stands
+/// beside them: it is no less likely for what it leaves than they are for fitting worse.
+void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                            std::vector<std::size_t>& members);
+
+/// Takes out of `members` what shares no family with the leader over them, where there is one.
+void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std::size_t known,
+                                     double reach, double smallest_p,
+                                     std::vector<std::size_t>& members);
+
+/// Takes out of `members`, indices into `tried`, what is beyond reach of the best of them once the
+/// unseen speed counts; the best by χ² + k ln N comes first.
+void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
+                       std::vector<std::size_t>& members);
+
+}  // namespace rebound

@@ -1,0 +1,106 @@
+#include "comparisons/discrepancy/diagnosis/search/selection.hpp"
+
+#include <algorithm>
+
+#include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
+#include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
+
+namespace rebound {
+namespace {
+
+/// The search itself: singles and families, then sets.
+void search_effects(EffectSearch& search, const EffectSelection& selection,
+                    const SelectionRules& rules) {
+  const bool several_balls = selection.baseline.fit.model->balls() > 1;
+  const auto ends = [&](bool settled) {
+    return several_balls ? search.sizes_of_each_ball() : settled;
+  };
+  if (ends(search.singles())) {
+    search.sets_beside_curves();
+    return;
+  }
+  // Far beyond what sets mend: the believed numbers are not those of this ball, or the data are not
+  // of an impact.
+  constexpr double hopeless = 1e3;
+  if (selection.tried.empty() || selection.tried.front().fit.reduced_chi_square() > hopeless)
+    return;
+  for (std::size_t count = 2; count <= rules.most_effects; ++count) {
+    const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
+    if (ends(search.sets_of(count))) {
+      search.prune();
+      return;
+    }
+    // A set that gains nothing by one effect more gains nothing by two.
+    if (selection.tried.empty() ||
+        selection.tried.front().fit.chi_square > before - rules.close_criterion)
+      return;
+  }
+}
+
+/// By how much the criterion of `one` is better; what the unseen speed says counts where both were
+/// asked.
+double gain_over(const AssessedFit& baseline, const AssessedFit& one) {
+  const double gain = baseline.fit.information_criterion - one.fit.information_criterion;
+  if (!baseline.unseen_chi_square || !one.unseen_chi_square) return gain;
+  return gain + *baseline.unseen_chi_square - *one.unseen_chi_square;
+}
+
+/// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
+/// it? A name needs a criterion that is better than that of no effect by as much as one candidate
+/// must be better than another; where none has it, what is left over is no evidence of an effect.
+bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& around,
+                           const EffectSelection& selection, const SelectionRules& rules,
+                           std::uint64_t seed) {
+  const AssessedFit& baseline = selection.baseline;
+  return baseline.p_value > rules.smallest_adequate_p &&
+         residual_map(seen, baseline.fit, around, rules.candidate_level, seed).quiet() &&
+         std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
+           return gain_over(baseline, one) > rules.close_criterion;
+         });
+}
+
+/// Is there a gap that is seen with the unseen speed only? One odd shot among repeats of that speed
+/// is no gap of the model.
+bool is_seen_with(const UnseenSpeed& unseen, const HypothesisFit& fit,
+                  const std::vector<std::string>& effects, const SelectionRules& rules,
+                  std::uint64_t seed) {
+  return leaves_a_gap_in(*unseen.with_seen, fit, effects, rules, seed) &&
+         !odd_one_of(predict_unseen(*unseen.shots, fit).of_shots);
+}
+
+}  // namespace
+
+EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
+                               const std::vector<std::string>& effects, const SelectionRules& rules,
+                               std::uint64_t seed, const RunControl& control,
+                               const UnseenSpeed& unseen) {
+  EffectSelection selection;
+  selection.baseline = judge_by_chi_square(seen, std::move(baseline), rules);
+  EffectSensitivities around(seen, selection.baseline.fit, effects);
+  look_closely(seen, around, rules, rules.false_gap_level, seed, selection.baseline);
+  selection.scores = around.scores();
+  selection.cosines = around.cosines();
+  if (selection.baseline.adequate && unseen.shots)
+    selection.baseline.adequate =
+        !is_seen_with(unseen, selection.baseline.fit, effects, rules, seed);
+  if (!selection.baseline.adequate) {
+    EffectSearch search(seen, around, effects, rules, seed, control, selection);
+    search_effects(search, selection, rules);
+    const std::size_t known = selection.baseline.fit.effects.size();
+    prefer_nearly_adequate(selection.tried, known, rules.close_criterion,
+                           selection.indistinguishable);
+    deny_other_families_than_leader(selection.tried, known, rules.close_criterion,
+                                    rules.smallest_adequate_p, selection.indistinguishable);
+    if (unseen.shots && !selection.indistinguishable.empty())
+      choose_with_unseen_speed(*unseen.shots, rules, selection);
+    selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
+  }
+  if (selection.baseline.adequate) {
+    selection.indistinguishable.clear();
+    selection.excluded = excluded_sizes(around);
+  }
+  return selection;
+}
+
+}  // namespace rebound

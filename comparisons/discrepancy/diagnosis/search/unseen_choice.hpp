@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/search/selection.hpp"
+
+/// What a speed that no fit saw says of the choice between fits.
+namespace rebound {
+
+/// Is a gap at the unseen speed no chance, and large enough to contradict "agrees"?
+bool is_plain_gap(double reduced_chi_square, double deviation);
+
+/// The one of several shots that stands apart while the others are within the noise.
+std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps);
+
+/// Does a model that was fitted to some shots leave a gap in all of them? A speed that is left out
+/// of the search, to show the gap there, is a third of three: a small gap is seen with it alone.
+/// The model is fitted again, to all.
+bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
+                     const std::vector<std::string>& effects, const SelectionRules& rules,
+                     std::uint64_t seed);
+
+/// Candidates, and the baseline, predict the speed that no fit saw:
+///
+///   χ²ᵤ  of the prediction, start of contact and speed of each shot within their priors
+///
+/// What is then beyond reach of the best by χ² + k ln N + χ²ᵤ and by χ² + 2 k + χ²ᵤ is a candidate
+/// no longer. The best by the first comes first.
+/// Limit:  where all predict alike, nothing leaves -> test
+///         UnseenChoiceTest.WhatPredictsAlikeStays.
+void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& rules,
+                              EffectSelection& selection);
+
+}  // namespace rebound

@@ -1,0 +1,62 @@
+#include "comparisons/discrepancy/diagnosis/verdict/candidate_family.hpp"
+
+#include <algorithm>
+
+namespace rebound {
+namespace {
+
+EffectFamily family_of(const FamilySet& candidate) {
+  EffectFamily family = EffectFamily::none;
+  for (const EffectFamily own : candidate) {
+    if (family != EffectFamily::none && own != family) return EffectFamily::none;
+    family = own;
+  }
+  return family;
+}
+
+bool has_member(const FamilySet& candidate, EffectFamily family) {
+  return std::find(candidate.begin(), candidate.end(), family) != candidate.end();
+}
+
+}  // namespace
+
+EffectFamily common_family(const std::vector<FamilySet>& candidates) {
+  const EffectFamily first = family_of(candidates.front());
+  const bool same = std::all_of(candidates.begin(), candidates.end(),
+                                [&](const auto& one) { return family_of(one) == first; });
+  return same ? first : EffectFamily::none;
+}
+
+EffectFamily main_family(const std::vector<FamilySet>& candidates,
+                         const std::vector<ExplainedShare>& explained) {
+  constexpr double most = 0.8;
+  EffectFamily found = EffectFamily::none;
+  for (const ExplainedShare& one : explained) {
+    const EffectFamily family = family_of(one.families);
+    if (family == EffectFamily::none || family == found || one.share < most) continue;
+    if (!std::all_of(candidates.begin(), candidates.end(),
+                     [&](const auto& candidate) { return has_member(candidate, family); }))
+      continue;
+    if (found != EffectFamily::none) return EffectFamily::none;
+    found = family;
+  }
+  return found;
+}
+
+std::vector<ExplainedShare> nearest_formulas(EffectFamily family,
+                                             const std::vector<ExplainedShare>& explained) {
+  constexpr double worth_a_word = 0.5;
+  constexpr std::size_t most = 2;
+  std::vector<ExplainedShare> nearest;
+  for (const ExplainedShare& one : explained) {
+    if (one.effects.size() != 1 || one.share < worth_a_word) continue;
+    const EffectCard& card = find_effect(one.effects.front()).card;
+    if (card.family == family && !card.is_free_form) nearest.push_back(one);
+  }
+  std::stable_sort(nearest.begin(), nearest.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  if (nearest.size() > most) nearest.resize(most);
+  return nearest;
+}
+
+}  // namespace rebound

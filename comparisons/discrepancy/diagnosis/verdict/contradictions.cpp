@@ -1,0 +1,52 @@
+#include "comparisons/discrepancy/diagnosis/verdict/contradictions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
+
+namespace rebound {
+
+std::vector<DataCheck> unexplained_contradictions(const Diagnosis& d, const Observations& all) {
+  const HypothesisFit& best = d.best();
+  Hypothesis hypothesis = best.hypothesis;
+  hypothesis.effects = best.effects;
+  const JointModel model(all, hypothesis);
+  const std::vector<double> values = model.without_nuisances(values_from(best, model));
+  Observations predicted = all;
+  for (std::size_t i = 0; i < all.shots.size(); ++i) predicted.shots[i] = model.as_seen(values, i);
+  const std::vector<DataCheck> by_model = check_data(predicted);
+  const double limit = contradiction_limit(d.checks.size());
+  std::vector<DataCheck> left;
+  for (const DataCheck& one : d.contradictions) {
+    const auto same = std::find_if(by_model.begin(), by_model.end(), [&](const DataCheck& other) {
+      return other.what == one.what && other.of == one.of;
+    });
+    const double explained =
+        same == by_model.end() ? 0.0 : (same->measured - same->expected) / one.error;
+    // Sixty deviations are not predicted to four: a quarter of them may be missed.
+    constexpr double missed = 0.25;
+    if (std::abs(one.deviations() - explained) > limit + missed * std::abs(explained))
+      left.push_back(one);
+  }
+  return left;
+}
+
+void withhold_names_from_contradictions(Diagnosis& d, const Observations& all) {
+  const bool names_physics =
+      d.verdict == DiagnosisVerdict::missing &&
+      std::any_of(d.effects.begin(), d.effects.end(),
+                  [](const NamedEffect& one) { return !is_measurement(one.effect.name); });
+  if (!names_physics || d.contradictions.empty()) return;
+  const std::vector<DataCheck> left = unexplained_contradictions(d, all);
+  if (left.empty()) return;
+  withhold(d, without_name(d),
+           fmt::format("the data contradict themselves in the {} of {}, by {:.1f} standard "
+                       "deviations, and {} does not say why",
+                       left.front().what, left.front().of, std::abs(left.front().deviations()),
+                       label_of(d.best().effects)));
+}
+
+}  // namespace rebound

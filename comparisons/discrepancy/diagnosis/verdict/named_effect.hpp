@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+
+namespace rebound {
+
+/// A number with its 95 % interval, SI.
+struct NumberWithInterval {
+  std::string name;
+  double value = 0.0, low = 0.0, high = 0.0;
+};
+
+/// An effect that every candidate has in common.
+struct NamedEffect {
+  EffectChoice effect;
+  NumberWithInterval size;                        ///< of the first ball where balls differ
+  std::vector<NumberWithInterval> size_of_balls;  ///< empty: one size for all
+  std::vector<NumberWithInterval> parameters;
+  std::string lumped = "supported";  ///< supported | rejected | no-fit | no-form | not-run
+  std::string fem = "not-run";
+  /// Why these numbers cannot carry the name; empty where they can.
+  ///
+  /// A name needs a size whose interval leaves out the size at which the effect is absent, and
+  /// numbers that the data determine, off the bounds of the search: relaxation of 0.99 within
+  /// [0.003, 9.8] is an effect that explains the data, not one that was measured.
+  std::string weak;
+};
+
+/// Effect k of a fit with its numbers. Where the linearised interval of its size says nothing, as
+/// for two numbers that trade against each other, it is the likelihood-ratio one.
+NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
+/// All effects of a fit beyond the first `known`.
+std::vector<NamedEffect> named_effects(const HypothesisFit& fit, std::size_t known);
+
+}  // namespace rebound

@@ -1,0 +1,73 @@
+#include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
+
+#include <gtest/gtest.h>
+
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double reach = 6.0;
+
+AssessedFit predicting(double chi_square, double unknowns, double unseen) {
+  AssessedFit one;
+  one.fit.chi_square = chi_square;
+  one.fit.effect_unknowns = unknowns;
+  one.fit.information_criterion = chi_square + 7.0 * unknowns;
+  one.fit.prediction_criterion = chi_square + 2.0 * unknowns;
+  one.unseen_chi_square = unseen;
+  one.judged = one.adequate = true;
+  return one;
+}
+
+using Members = std::vector<std::size_t>;
+
+TEST(UnseenChoiceTest, WhatPredictsAlikeStays) {
+  const std::vector<AssessedFit> tried{predicting(1000.0, 1, 500.0), predicting(1003.0, 1, 502.0)};
+  Members members{0, 1};
+  keep_within_reach(tried, reach, members);
+  EXPECT_EQ(members, (Members{0, 1}));
+}
+
+// The second is within reach of the first in what both were fitted to, and 20 beyond at the speed
+// that neither saw; the third makes up there for what it costs, and comes first.
+TEST(UnseenChoiceTest, WhatPredictsPlainlyWorseLeaves) {
+  const std::vector<AssessedFit> tried{predicting(1000.0, 1, 510.0), predicting(1001.0, 1, 530.0),
+                                       predicting(1004.0, 1, 501.0)};
+  Members members{0, 1, 2};
+  keep_within_reach(tried, reach, members);
+  EXPECT_EQ(members, (Members{2, 0}));
+}
+
+Observations two_speeds_of(const Observations& all) {
+  return subset(all, {true, false, true});
+}
+
+// A gain of 2.2 % at the middle speed, which the fit has not seen: it agrees with the two others,
+// and the χ² of all three is within the noise.
+TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
+  int gaps = 0, false_gaps = 0, in_two = 0;
+  constexpr int seeds = 5;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    for (const bool hidden : {false, true}) {
+      const std::vector<EffectChoice> effects =
+          hidden ? std::vector<EffectChoice>{{"shot-gain", 0.022, {{"shot", 2.0}}}}
+                 : std::vector<EffectChoice>{};
+      const SynthesisFile file = testing::experiment_with(effects, seed);
+      const Observations all = observe({synthesize(file, simulator_of(file, {})).dataset});
+      const Observations seen = two_speeds_of(all);
+      const HypothesisFit fit = fit_hypothesis(seen, {.believed = testing::believed_law()});
+      const std::vector<std::string> names = absent_effects({});
+      if (leaves_a_gap_in(all, fit, names, {}, 1)) ++(hidden ? gaps : false_gaps);
+      if (hidden && !judge_believed(seen, fit, names, {}, 1).adequate) ++in_two;
+    }
+  }
+  EXPECT_EQ(gaps, seeds);
+  EXPECT_LE(false_gaps, 1);
+  EXPECT_LE(in_two, 1);
+}
+
+}  // namespace
+}  // namespace rebound

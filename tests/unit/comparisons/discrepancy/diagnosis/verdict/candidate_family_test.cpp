@@ -1,0 +1,52 @@
+#include "comparisons/discrepancy/diagnosis/verdict/candidate_family.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rebound {
+namespace {
+
+using enum EffectFamily;
+
+const std::vector<FamilySet> sticky{{surface, rate}, {surface, elastic}};
+
+TEST(CandidateFamilyTest, CommonOnlyWhereAllEffectsAreOfIt) {
+  EXPECT_EQ(common_family({{elastic}, {elastic}}), elastic);
+  EXPECT_EQ(common_family({{elastic}, {memory}}), none);
+  EXPECT_EQ(common_family(sticky), none);
+}
+
+TEST(CandidateFamilyTest, MainWhereOneExplainsFourFifthsByItself) {
+  EXPECT_EQ(
+      main_family(sticky, {{{"adhesion"}, {surface}, 0.85}, {{"damping-exponent"}, {rate}, 0.6}}),
+      surface);
+  EXPECT_EQ(main_family(sticky, {{{"adhesion"}, {surface}, 0.75}}), none);
+}
+
+TEST(CandidateFamilyTest, NoMainFamilyThatACandidateDoesWithout) {
+  const ExplainedShare most{{"force-exponent"}, {elastic}, 0.95};
+  EXPECT_EQ(main_family(sticky, {most}), none);
+  EXPECT_EQ(main_family({{elastic, measurement}}, {most}), elastic);
+}
+
+TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
+  const std::vector<FamilySet> both{{surface, elastic}};
+  EXPECT_EQ(
+      main_family(both, {{{"adhesion"}, {surface}, 0.9}, {{"force-exponent"}, {elastic}, 0.85}}),
+      none);
+}
+
+TEST(CandidateFamilyTest, NearestFormulasAreThoseThatExplainHalfAloneAndNoFreeForm) {
+  const auto nearest =
+      nearest_formulas(history, {{{"hysteresis"}, {history}, 0.7},
+                                 {{"permanent-set"}, {history}, 0.9},
+                                 {{"unloading-curve"}, {history}, 1.0},
+                                 {{"permanent-set", "hysteresis"}, {history, history}, 1.0},
+                                 {{"damping-exponent"}, {rate}, 0.95}});
+  ASSERT_EQ(nearest.size(), 2u);
+  EXPECT_EQ(nearest[0].effects, std::vector<std::string>{"permanent-set"});
+  EXPECT_EQ(nearest[1].effects, std::vector<std::string>{"hysteresis"});
+  EXPECT_TRUE(nearest_formulas(history, {{{"hysteresis"}, {history}, 0.4}}).empty());
+}
+
+}  // namespace
+}  // namespace rebound
