@@ -5,6 +5,7 @@
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <exception>
 
@@ -49,23 +50,35 @@ Bound bound_at(const CalibrationParameter& p, double y) {
   return y >= high - near ? Bound::upper : y <= low + near ? Bound::lower : Bound::neither;
 }
 
-/// Unknowns at a bound that hides the least, as the slope of the cost says at y.
-std::vector<std::size_t> at_their_bounds(const std::vector<double>& y,
-                                         const CalibrationProblem& problem, CalibrationCost& cost) {
-  const auto rows = static_cast<std::size_t>(cost.num_residuals());
-  std::vector<double> residuals(rows), slopes(rows * y.size());
+/// The end of one part of a search, to first order.
+struct EndOfSearch {
+  std::vector<std::size_t> held;  ///< unknowns at a bound that hides the least
+  double gain = 0.0;              ///< in cost, of a whole Gauss–Newton step of the others
+};
+
+EndOfSearch end_at(const std::vector<double>& y, const CalibrationProblem& problem,
+                   CalibrationCost& cost) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::VectorXd residuals(cost.num_residuals());
+  Matrix slopes(residuals.size(), static_cast<Eigen::Index>(y.size()));
   const double* at[] = {y.data()};
   double* out[] = {slopes.data()};
-  std::vector<std::size_t> held;
-  if (!cost.Evaluate(at, residuals.data(), out)) return held;
+  EndOfSearch end;
+  if (!cost.Evaluate(at, residuals.data(), out)) return end;
+  std::vector<Eigen::Index> others;
   for (std::size_t j = 0; j < y.size(); ++j) {
-    double slope = 0.0;
-    for (std::size_t i = 0; i < rows; ++i) slope += residuals[i] * slopes[i * y.size() + j];
+    const double slope = residuals.dot(slopes.col(static_cast<Eigen::Index>(j)));
     const Bound bound = bound_at(problem.parameters[j], y[j]);
     if ((bound == Bound::upper && slope < 0.0) || (bound == Bound::lower && slope > 0.0))
-      held.push_back(j);
+      end.held.push_back(j);
+    else
+      others.push_back(static_cast<Eigen::Index>(j));
   }
-  return held;
+  if (others.empty()) return end;
+  const Eigen::MatrixXd free = slopes(Eigen::all, others);
+  const Eigen::VectorXd left = residuals - free * free.colPivHouseholderQr().solve(residuals);
+  end.gain = 0.5 * (residuals.squaredNorm() - left.squaredNorm());
+  return end;
 }
 
 /// Stops where a step has brought an unknown to a bound at which it is not held.
@@ -93,6 +106,15 @@ class StopAtBounds final : public ceres::IterationCallback {
   bool stopped_ = false;
 };
 
+/// May a search end here? Its short first steps damp what moves many unknowns together and changes
+/// the residuals little: along such a valley a step gains less than the tolerance far from the end.
+bool at_the_end_of_a_valley(const ceres::Solver::Summary& summary, const EndOfSearch& end,
+                            double tolerance) {
+  constexpr double whole_steps = 1e4;  // radius of the trust region
+  return summary.iterations.back().trust_region_radius >= whole_steps ||
+         end.gain <= tolerance * summary.final_cost;
+}
+
 /// What Ceres may move of so many unknowns; nothing: all of them.
 ceres::Manifold* without(const std::vector<std::size_t>& held, std::size_t unknowns) {
   if (held.empty()) return nullptr;
@@ -108,7 +130,9 @@ ceres::Solver::Summary search_along_bounds(ceres::Problem& search, ceres::Solver
                                            CalibrationCost& cost) {
   options.update_state_every_iteration = true;
   const std::vector<ceres::IterationCallback*> callbacks = options.callbacks;
-  std::vector<std::size_t> held = at_their_bounds(y, problem, cost);
+  const double tolerance = problem.controls.cost_tolerance;
+  std::vector<std::size_t> held = end_at(y, problem, cost).held;
+  bool with_longer_steps = false;
   while (true) {
     StopAtBounds stop(problem, y, held);
     options.callbacks = callbacks;
@@ -126,10 +150,17 @@ ceres::Solver::Summary search_along_bounds(ceres::Problem& search, ceres::Solver
     if (cost.failure() || summary.termination_type == ceres::USER_FAILURE || taken < 0 ||
         options.max_num_iterations <= 0)
       return summary;
-    std::vector<std::size_t> now = at_their_bounds(y, problem, cost);
-    if (!stop.stopped() && now == held) return summary;
-    held = std::move(now);
-    options.initial_trust_region_radius = summary.iterations.back().trust_region_radius;
+    EndOfSearch end = end_at(y, problem, cost);
+    const bool ended = !stop.stopped() && end.held == held;
+    const bool gained = summary.initial_cost - summary.final_cost > tolerance * summary.final_cost;
+    if (ended &&
+        (at_the_end_of_a_valley(summary, end, tolerance) || (with_longer_steps && !gained)))
+      return summary;
+    held = std::move(end.held);
+    with_longer_steps = ended;
+    constexpr double longer = 100.0;
+    options.initial_trust_region_radius =
+        (ended ? longer : 1.0) * summary.iterations.back().trust_region_radius;
   }
 }
 

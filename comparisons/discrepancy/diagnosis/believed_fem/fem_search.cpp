@@ -29,14 +29,14 @@ std::string in_words(const SettledFem& fem) {
 }
 
 /// The physical effect that comes nearest by itself, where it plainly comes nearer.
-const HypothesisFit* nearest_single(const EffectSelection& selection) {
+const AssessedFit* nearest_single(const EffectSelection& selection) {
   constexpr double plainly_nearer = 25.0;  // in χ²
   const HypothesisFit& baseline = selection.baseline.fit;
   for (const AssessedFit& one : selection.tried)
     if (one.fit.effects.size() == baseline.effects.size() + 1 &&
         !is_measurement(one.fit.effects.back().name) &&
         one.fit.chi_square < baseline.chi_square - plainly_nearer)
-      return &one.fit;
+      return &one;
   return nullptr;
 }
 
@@ -63,13 +63,16 @@ void search_in_fem(Diagnosis& d, const DiagnosisRequest& request, const Observat
   rules.most_effects = 1;
   d.selection = select_effects(*d.seen, d.believed.fit, effects, rules, request.seed, control);
   report_progress(0.5);
-  const HypothesisFit* nearest = nearest_single(d.selection);
+  const AssessedFit* nearest = nearest_single(d.selection);
   if (d.selection.baseline.adequate || d.selection.explains() || !nearest) return;
-  fem = settle_fem_at(*nearest, all, seen, unseen, control);
-  d.warnings.push_back(in_words(fem) + "; this is with " + nearest->effects.back().name);
+  // What one effect leaves is noise by its χ²: a second one would stand on the mesh.
+  const bool one_is_enough = nearest->p_value > rules.smallest_adequate_p;
+  fem = settle_fem_at(nearest->fit, all, seen, unseen, control);
+  d.warnings.push_back(in_words(fem) + "; this is with " + nearest->fit.effects.back().name);
   Hypothesis settled = take_settled(d, std::move(fem));
   settled.effects = believed.effects;
-  rules.most_effects = std::min(request.rules.most_effects, most_effects_in_fem);
+  if (!one_is_enough)
+    rules.most_effects = std::min(request.rules.most_effects, most_effects_in_fem);
   d.believed = assess(settled);
   d.selection = select_effects(*d.seen, d.believed.fit, effects, rules, request.seed, control);
 }

@@ -81,6 +81,29 @@ TEST(DearRunsTest, ABoundTakesNothingFromTheStepsOfTheOthers) {
   EXPECT_LT(valley.runs, 110);  // 88
 }
 
+// x + y is known a hundred times as well as x − y, and nothing explains a rest of 10. Short steps
+// move along x − y so little that each gains less than the tolerance: a search that ends there
+// leaves x − y near 0 and a cost of 54 for 50.
+TEST(DearRunsTest, AValleyIsFollowedToItsEnd) {
+  int runs = 0;
+  CalibrationProblem problem;
+  problem.parameters = {{.name = "x", .unit = "", .start = 0.0, .lowest = -90.0, .highest = 90.0},
+                        {.name = "y", .unit = "", .start = 0.0, .lowest = -90.0, .highest = 90.0}};
+  problem.noise = NoiseKnowledge::known;
+  problem.controls.runs_are_dear = true;
+  problem.controls.differences = Differences::one_sided;
+  problem.controls.cost_tolerance = 3e-4;
+  problem.residuals = [&](const std::vector<double>& x) -> std::vector<double> {
+    ++runs;
+    return {100.0 * (x[0] + x[1] - 2.0), 0.3 * (x[0] - x[1] - 10.0), 10.0};
+  };
+  const CalibrationResult found = calibrate(problem);
+  ASSERT_TRUE(found.converged);
+  EXPECT_NEAR(found.estimates[0].value, 6.0, 0.4);  // 3e-4 of the cost
+  EXPECT_NEAR(found.estimates[1].value, -4.0, 0.4);
+  EXPECT_LT(runs, 40);
+}
+
 /// a exp(-b t) + c against data of it, its Jacobian taken by the model itself.
 struct CountedModel {
   int runs = 0, jacobians = 0;
