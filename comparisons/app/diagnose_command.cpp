@@ -11,6 +11,7 @@
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_report.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
+#include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
 #include "comparisons/io/report/write_report.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -114,10 +115,12 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   }();
   const Provenance provenance = provenance_of(session, options.model, document.text());
   Json json = to_json(diagnosis);
+  json["error_rates"] = error_rates_json(diagnosis);
   const std::vector<std::string> extended = write_extended_models(diagnosis, out);
   if (!extended.empty()) json["extended_model"] = extended.front();
   json["extended_models"] = extended;
-  report::write_report(diagnosis_report(diagnosis, request.datasets.front().name, provenance),
+  report::write_report(diagnosis_report(diagnosis, request.datasets.front().name, provenance,
+                                        error_rates_on_page(diagnosis)),
                        out / "report.html");
   json["report"] = (out / "report.html").string();
   Json stored = json;
@@ -126,7 +129,8 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   if (session.json())
     fmt::print("{}", dump(json));
   else
-    print_text(fmt::format("{}report    {}\n", to_text(diagnosis), (out / "report.html").string()));
+    print_text(fmt::format("{}{}report    {}\n", to_text(diagnosis), error_rates_text(diagnosis),
+                           (out / "report.html").string()));
   const bool gap = diagnosis.verdict != DiagnosisVerdict::agrees &&
                    diagnosis.verdict != DiagnosisVerdict::insufficient_data;
   return options.fail_on_gap && gap ? ExitCode::comparison_failed : ExitCode::done;

@@ -6,6 +6,7 @@
 #include "comparisons/app/calibrate_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
+#include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "comparisons/discrepancy/synthesis/truth.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
@@ -63,7 +64,11 @@ py::object diagnose_from(const py::object& data, const Source& model,
   if (!options.bootstrap) request.rules.bootstrap_draws = 0;
   return to_python(interruptible([document, request](const RunControl& control) {
     Json found;
-    document.locating([&] { found = to_json(diagnose(request, control)); });
+    document.locating([&] {
+      const Diagnosis diagnosis = diagnose(request, control);
+      found = to_json(diagnosis);
+      found["error_rates"] = error_rates_json(diagnosis);
+    });
     return found;
   }));
 }

@@ -116,6 +116,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (request.believed_fem)  // a slow test is no impact of FE
     for (SlowCompression& test : all.compressions) test.compared_only = true;
   d.warnings = all.warnings;
+  d.design = measured_design(request.datasets, all);
   d.checks = check_data(all);
   d.contradictions = contradictions_among(d.checks);
   std::vector<bool> left_out(all.shots.size(), false);

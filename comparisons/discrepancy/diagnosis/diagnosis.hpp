@@ -9,6 +9,7 @@
 #include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment/next_experiment.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/measured_design.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/search/selection.hpp"
 #include "comparisons/discrepancy/diagnosis/search/selection_bootstrap.hpp"
@@ -101,6 +102,7 @@ struct Diagnosis {
   /// Of a believed FE model: what its mesh gets wrong, over the peak force [-].
   std::optional<double> numerical_uncertainty;
   std::uint64_t seed = 0;
+  MeasuredDesign design;             ///< what the experiment is like, as blind trials know it
   std::size_t believed_effects = 0;  ///< how many the model had before; they come first
 
   std::shared_ptr<const Observations> seen, unseen;  ///< fits point into them

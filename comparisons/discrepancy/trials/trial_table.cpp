@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "comparisons/discrepancy/trials/table_fields.hpp"
@@ -84,9 +86,14 @@ std::string table_csv(const TrialCollection& trials) {
 TrialCollection read_trial_table(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
+  return trial_table_of({std::istreambuf_iterator<char>(in), {}}, file.string());
+}
+
+TrialCollection trial_table_of(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
   std::vector<TableField> fields = table_fields();
   TrialCollection trials;
-  ErrorLocation where{.file = file.string()};
+  ErrorLocation where{.file = name};
   bool has_header = false;
   for (std::string line; std::getline(in, line);) {
     ++where.line;
@@ -107,7 +114,7 @@ TrialCollection read_trial_table(const std::filesystem::path& file) {
     }
   }
   if (trials.records.empty())
-    throw Error(ExitCode::corrupt_store, "holds no trials", {.file = file.string()});
+    throw Error(ExitCode::corrupt_store, "holds no trials", {.file = name});
   return trials;
 }
 

@@ -19,4 +19,7 @@ std::string table_csv(const TrialCollection& trials);
 /// line, column name and value for what table_csv() does not write.
 TrialCollection read_trial_table(const std::filesystem::path& file);
 
+/// The same of a text; `name` stands for the file in errors.
+TrialCollection trial_table_of(const std::string& text, const std::string& name);
+
 }  // namespace rebound

@@ -9,13 +9,6 @@
 namespace rebound {
 namespace {
 
-Json share_json(const Share& share) {
-  return {{"count", share.count},
-          {"of", share.of},
-          {"share", share.of == 0 ? Json(nullptr) : Json(share.value())},
-          {"interval", {share.low(), share.high()}}};
-}
-
 Json shares_json(const std::map<std::string, Share>& shares) {
   Json json = Json::object();
   for (const auto& [name, share] : shares) json[name] = share_json(share);
@@ -111,6 +104,13 @@ std::string rate_lines(const RateTable& table) {
 }
 
 }  // namespace
+
+Json share_json(const Share& share) {
+  return {{"count", share.count},
+          {"of", share.of},
+          {"share", share.of == 0 ? Json(nullptr) : Json(share.value())},
+          {"interval", {share.low(), share.high()}}};
+}
 
 std::string share_text(const Share& share) {
   if (share.of == 0) return "none";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -86,8 +87,8 @@ report::Section what_section(const Diagnosis& d) {
   return section;
 }
 
-report::Section certainty_section(const Diagnosis& d) {
-  report::Section section{.title = "How sure is that?", .blocks = {}};
+report::Section certainty_section(const Diagnosis& d, std::vector<report::Block> measured) {
+  report::Section section{.title = "How sure is that?", .blocks = std::move(measured)};
   std::vector<DataCheck> beside;
   std::copy_if(d.checks.begin(), d.checks.end(), std::back_inserter(beside),
                [](const DataCheck& one) { return one.compared_only; });
@@ -118,7 +119,7 @@ bool holds_something(const report::Section& section) {
 }  // namespace
 
 report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
-                                const Provenance& provenance) {
+                                const Provenance& provenance, MeasuredErrorRates error_rates) {
   report::Report page;
   page.title = "Diagnosis: " + name;
   page.subtitle = "A believed model against data";
@@ -127,15 +128,17 @@ report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
   for (const NamedEffect& one : d.effects)
     page.lead.push_back(report::Paragraph{effect_sentence(d, one)});
   if (d.seen) page.lead.push_back(report::Paragraph{gap_sentence(d)});
+  if (!error_rates.sentence.empty()) page.lead.push_back(report::Paragraph{error_rates.sentence});
   if (const std::string text = fem_sentence(d); !text.empty())
     page.lead.push_back(report::Paragraph{text});
   if (!d.in_fem.empty()) page.lead.push_back(tiers_table(d));
   if (d.gap.before)
     if (report::Figure gaps = gap_figure(d); !gaps.series.empty())
       page.lead.push_back(std::move(gaps));
-  for (auto section_of : {where_section, what_section, certainty_section})
-    if (report::Section section = section_of(d); holds_something(section))
-      page.sections.push_back(std::move(section));
+  std::array sections{where_section(d), what_section(d),
+                      certainty_section(d, std::move(error_rates.blocks))};
+  for (report::Section& section : sections)
+    if (holds_something(section)) page.sections.push_back(std::move(section));
   page.sections.push_back({.title = "Provenance",
                            .folding = report::Section::Folding::folded,
                            .blocks = {report::Verbatim{"Run", dump(to_json(provenance))}}});

@@ -4,6 +4,7 @@
 
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_report.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
+#include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
 namespace rebound {
@@ -118,10 +119,12 @@ std::vector<StudyPage> diagnosis_pages(const std::vector<CoreStudy>& cores,
   std::vector<StudyPage> pages;
   for (std::size_t i = 0; i < cores.size(); ++i)
     pages.push_back({page_file(i, "core-" + cores[i].label),
-                     diagnosis_report(cores[i].diagnosis, core_name(cores[i]), provenance)});
+                     diagnosis_report(cores[i].diagnosis, core_name(cores[i]), provenance,
+                                      error_rates_on_page(cores[i].diagnosis))});
   for (std::size_t i = 0; i < experiments.size(); ++i)
     pages.push_back({page_file(cores.size() + i, experiments[i].label),
-                     diagnosis_report(experiments[i].diagnosis, experiments[i].label, provenance)});
+                     diagnosis_report(experiments[i].diagnosis, experiments[i].label, provenance,
+                                      error_rates_on_page(experiments[i].diagnosis))});
   return pages;
 }
 

@@ -1,0 +1,96 @@
+// What blind trials say of a verdict.
+#include "comparisons/discrepancy/error_rates/error_rates.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/comparisons/discrepancy/trials/trial_examples.hpp"
+
+namespace rebound {
+namespace {
+
+using testing::hidden;
+using testing::nothing_hidden;
+using testing::said;
+
+TrialRecord trial(TrialTruth truth, TrialOutcome outcome, double noise, int speeds) {
+  truth.noise_share = noise;
+  outcome.speeds = speeds;
+  return {.truth = std::move(truth), .outcome = std::move(outcome)};
+}
+
+/// Was a verdict true of this truth?
+bool counts_as_true(const TrialTruth& truth, const TrialOutcome& outcome) {
+  const auto rates = error_rates_of({.speeds = 3, .noise_share = 0.01}, outcome.said.verdict,
+                                    {trial(truth, outcome, 0.01, 3)});
+  EXPECT_EQ(rates.front().verdict_true.of, 1);
+  return rates.front().verdict_true.count == 1;
+}
+
+// Counted in the table by another program: noise 0.03, two or three speeds.
+TEST(ErrorRatesTest, CountsAreThoseOfTheStoredTrials) {
+  const auto rates = error_rates_of({.speeds = 3, .noise_share = 0.028}, "missing");
+  ASSERT_EQ(rates.size(), 2u);
+  EXPECT_EQ(rates[0].trials, 71);
+  EXPECT_EQ(rates[0].noise_share, 0.03);
+  EXPECT_EQ(rates[0].fewest_speeds, 2);
+  EXPECT_EQ(rates[0].most_speeds, 3);
+  EXPECT_EQ(rates[0].false_alarm.count, 0);
+  EXPECT_EQ(rates[0].false_alarm.of, 30);
+  EXPECT_EQ(rates[0].verdict_true.count, 11);
+  EXPECT_EQ(rates[0].verdict_true.of, 11);
+  EXPECT_TRUE(rates[1].in_fem);
+  EXPECT_EQ(rates[1].trials, 48);
+  EXPECT_EQ(rates[1].false_alarm.count, 5);
+  EXPECT_EQ(rates[1].false_alarm.of, 21);
+}
+
+TEST(ErrorRatesTest, TheNearestNoiseIsThatOfTheNearestRatio) {
+  const std::vector<TrialRecord> trials{trial(nothing_hidden(1), said(1, "agrees"), 0.01, 3),
+                                        trial(nothing_hidden(2), said(2, "agrees"), 0.05, 3)};
+  EXPECT_EQ(error_rates_of({.speeds = 2, .noise_share = 0.02}, "agrees", trials)[0].noise_share,
+            0.01);
+  EXPECT_EQ(error_rates_of({.speeds = 2, .noise_share = 0.03}, "agrees", trials)[0].noise_share,
+            0.05);
+}
+
+TEST(ErrorRatesTest, TrialsWithManySpeedsSayNothingOfThree) {
+  const std::vector<TrialRecord> trials{trial(nothing_hidden(1), said(1, "agrees"), 0.01, 4),
+                                        trial(nothing_hidden(2), said(2, "missing"), 0.01, 7)};
+  EXPECT_TRUE(error_rates_of({.speeds = 3, .noise_share = 0.01}, "agrees", trials).empty());
+  const auto rates = error_rates_of({.speeds = 5, .noise_share = 0.01}, "agrees", trials);
+  ASSERT_EQ(rates.size(), 1u);
+  EXPECT_EQ(rates[0].fewest_speeds, 4);
+  EXPECT_EQ(rates[0].most_speeds, 7);
+  EXPECT_EQ(rates[0].false_alarm.count, 1);
+  EXPECT_EQ(rates[0].false_alarm.of, 2);
+}
+
+TEST(ErrorRatesTest, WithoutRecordsOfForceNoTrialIsAlike) {
+  EXPECT_TRUE(error_rates_of({.speeds = 3, .noise_share = 0.0}, "missing").empty());
+}
+
+TEST(ErrorRatesTest, AVerdictIsTrueWhereItSaysWhatWasHidden) {
+  const TrialTruth relaxation = hidden(1, "memory", "relaxation", 400.0);
+  EXPECT_TRUE(counts_as_true(relaxation, said(1, "missing", "memory", "relaxation")));
+  EXPECT_FALSE(counts_as_true(relaxation, said(1, "missing", "rate", "linear-dashpot")));
+  EXPECT_TRUE(counts_as_true(relaxation, said(1, "family", "memory")));
+  EXPECT_FALSE(counts_as_true(relaxation, said(1, "family", "rate")));
+  EXPECT_FALSE(counts_as_true(relaxation, said(1, "agrees")));
+  EXPECT_FALSE(counts_as_true(relaxation, said(1, "measurement-fault")));
+  EXPECT_TRUE(counts_as_true(relaxation, said(1, "unexplained")));
+  TrialOutcome set = said(1, "one-of");
+  set.said.candidates = {{"linear-dashpot"}, {"relaxation"}};
+  EXPECT_TRUE(counts_as_true(relaxation, set));
+  set.said.candidates = {{"linear-dashpot"}, {"adhesion"}};
+  EXPECT_FALSE(counts_as_true(relaxation, set));
+  EXPECT_TRUE(counts_as_true(hidden(1, "measurement", "hum", 400.0), said(1, "measurement-fault")));
+}
+
+// What cannot be seen is not missed.
+TEST(ErrorRatesTest, OfAnEffectThatDoesNotShowAgreementIsTrue) {
+  EXPECT_TRUE(counts_as_true(hidden(1, "memory", "relaxation", 24.0), said(1, "agrees")));
+  EXPECT_FALSE(counts_as_true(hidden(1, "memory", "relaxation", 26.0), said(1, "agrees")));
+}
+
+}  // namespace
+}  // namespace rebound
