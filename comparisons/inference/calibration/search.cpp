@@ -123,8 +123,8 @@ ceres::Manifold* without(const std::vector<std::size_t>& held, std::size_t unkno
 
 /// Ceres cuts off a step at a bound and leaves the other unknowns where a longer one would have
 /// taken them: a search crawls there. What a bound holds is held, as long as it does, and the
-/// others go on without it.
-ceres::Solver::Summary search_along_bounds(ceres::Problem& search, ceres::Solver::Options options,
+/// others go on without it. Steps get longer where the search would end in a valley.
+ceres::Solver::Summary search_with_few_runs(ceres::Problem& search, ceres::Solver::Options options,
                                            std::vector<double>& y,
                                            const CalibrationProblem& problem,
                                            CalibrationCost& cost) {
@@ -197,7 +197,7 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   if (problem.controls.runs_are_dear)
-    summary = search_along_bounds(search, options, y, problem, cost);
+    summary = search_with_few_runs(search, options, y, problem, cost);
   else
     ceres::Solve(options, &search, &summary);
   if (cost.failure()) std::rethrow_exception(cost.failure());
