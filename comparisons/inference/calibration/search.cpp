@@ -108,11 +108,13 @@ class StopAtBounds final : public ceres::IterationCallback {
 
 /// May a search end here? Its short first steps damp what moves many unknowns together and changes
 /// the residuals little: along such a valley a step gains less than the tolerance far from the end.
+/// Half a unit of χ² is worth no more runs: no choice between models hangs on it.
 bool at_the_end_of_a_valley(const ceres::Solver::Summary& summary, const EndOfSearch& end,
-                            double tolerance) {
+                            const CalibrationProblem& problem) {
   constexpr double whole_steps = 1e4;  // radius of the trust region
+  const double worth_it = problem.noise == NoiseKnowledge::known ? 0.25 : 0.0;
   return summary.iterations.back().trust_region_radius >= whole_steps ||
-         end.gain <= tolerance * summary.final_cost;
+         end.gain <= std::max(worth_it, problem.controls.cost_tolerance * summary.final_cost);
 }
 
 /// What Ceres may move of so many unknowns; nothing: all of them.
@@ -125,9 +127,9 @@ ceres::Manifold* without(const std::vector<std::size_t>& held, std::size_t unkno
 /// taken them: a search crawls there. What a bound holds is held, as long as it does, and the
 /// others go on without it. Steps get longer where the search would end in a valley.
 ceres::Solver::Summary search_with_few_runs(ceres::Problem& search, ceres::Solver::Options options,
-                                           std::vector<double>& y,
-                                           const CalibrationProblem& problem,
-                                           CalibrationCost& cost) {
+                                            std::vector<double>& y,
+                                            const CalibrationProblem& problem,
+                                            CalibrationCost& cost) {
   options.update_state_every_iteration = true;
   const std::vector<ceres::IterationCallback*> callbacks = options.callbacks;
   const double tolerance = problem.controls.cost_tolerance;
@@ -153,8 +155,7 @@ ceres::Solver::Summary search_with_few_runs(ceres::Problem& search, ceres::Solve
     EndOfSearch end = end_at(y, problem, cost);
     const bool ended = !stop.stopped() && end.held == held;
     const bool gained = summary.initial_cost - summary.final_cost > tolerance * summary.final_cost;
-    if (ended &&
-        (at_the_end_of_a_valley(summary, end, tolerance) || (with_longer_steps && !gained)))
+    if (ended && (at_the_end_of_a_valley(summary, end, problem) || (with_longer_steps && !gained)))
       return summary;
     held = std::move(end.held);
     with_longer_steps = ended;
