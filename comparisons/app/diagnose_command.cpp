@@ -8,7 +8,6 @@
 #include "comparisons/app/progress_line.hpp"
 #include "comparisons/app/terminal.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
-#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_report.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
@@ -114,8 +113,7 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
     }
   }();
   const Provenance provenance = provenance_of(session, options.model, document.text());
-  Json json = to_json(diagnosis);
-  json["error_rates"] = error_rates_json(diagnosis);
+  Json json = json_with_error_rates(diagnosis);
   const std::vector<std::string> extended = write_extended_models(diagnosis, out);
   if (!extended.empty()) json["extended_model"] = extended.front();
   json["extended_models"] = extended;

@@ -5,7 +5,6 @@
 #include "comparisons/app/calibrate_law.hpp"
 #include "comparisons/app/calibrate_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
-#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/discrepancy/synthesis/synthesize.hpp"
 #include "comparisons/discrepancy/synthesis/truth.hpp"
@@ -64,11 +63,7 @@ py::object diagnose_from(const py::object& data, const Source& model,
   if (!options.bootstrap) request.rules.bootstrap_draws = 0;
   return to_python(interruptible([document, request](const RunControl& control) {
     Json found;
-    document.locating([&] {
-      const Diagnosis diagnosis = diagnose(request, control);
-      found = to_json(diagnosis);
-      found["error_rates"] = error_rates_json(diagnosis);
-    });
+    document.locating([&] { found = json_with_error_rates(diagnose(request, control)); });
     return found;
   }));
 }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/error_rates/error_rates.hpp"
 #include "comparisons/discrepancy/trials/trial_text.hpp"
 
@@ -38,8 +39,9 @@ std::string verdict_sentence(const Diagnosis& d, const ErrorRates& rates) {
 
 }  // namespace
 
-Json error_rates_json(const Diagnosis& d) {
-  Json list = Json::array();
+Json json_with_error_rates(const Diagnosis& d) {
+  Json json = to_json(d);
+  Json& list = json["error_rates"] = Json::array();
   for (const ErrorRates& one : rates_of(d))
     list.push_back({{"balls", one.in_fem ? "fem" : "law"},
                     {"trials", one.trials},
@@ -49,7 +51,7 @@ Json error_rates_json(const Diagnosis& d) {
                     {"effect_seen", share_json(one.effect_seen)},
                     {"verdict_true", share_json(one.verdict_true)},
                     {"true_means", one.true_means}});
-  return list;
+  return json;
 }
 
 std::string error_rates_text(const Diagnosis& d) {

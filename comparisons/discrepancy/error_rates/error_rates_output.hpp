@@ -8,8 +8,9 @@
 
 namespace rebound {
 
-/// For programs: one object for balls that obey a law, one for balls in finite elements.
-Json error_rates_json(const Diagnosis& diagnosis);
+/// A whole diagnosis for programs: to_json() with `error_rates`, one object for balls that obey a
+/// law and one for balls in finite elements.
+Json json_with_error_rates(const Diagnosis& diagnosis);
 
 /// Lines of a terminal; empty where nothing was measured.
 std::string error_rates_text(const Diagnosis& diagnosis);

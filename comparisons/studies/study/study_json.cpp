@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
+#include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 
 namespace rebound {
@@ -131,7 +131,7 @@ Json core_json(const CoreStudy& core) {
           {"material_fit", fit_json(core.material.fit)},
           {"shots", shots},
           {"laws", laws},
-          {"diagnosis", to_json(core.diagnosis)},
+          {"diagnosis", json_with_error_rates(core.diagnosis)},
           {"simulation", core.scalars ? scalars_json(*core.scalars) : Json(nullptr)}};
 }
 
@@ -158,7 +158,7 @@ Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores,
   for (const auto& experiment : experiments)
     synthetic.push_back({{"label", experiment.label},
                          {"hidden", experiment.hidden},
-                         {"diagnosis", to_json(experiment.diagnosis)}});
+                         {"diagnosis", json_with_error_rates(experiment.diagnosis)}});
   return {{"schema", 1}, {"title", study.title}, {"cores", list}, {"experiments", synthetic}};
 }
 

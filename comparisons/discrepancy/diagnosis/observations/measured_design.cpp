@@ -15,8 +15,8 @@ MeasuredDesign measured_design(const std::vector<Dataset>& datasets, const Obser
       if (!measured.has_history()) continue;
       const MeasuredImpact shot = completed(dataset, measured);
       noise = std::max(noise, recorder_of(shot).scatter);
-      smallest_peak = std::min(smallest_peak, *std::max_element(shot.trace.force.begin(),
-                                                                shot.trace.force.end()));
+      smallest_peak = std::min(smallest_peak,
+                               *std::max_element(shot.trace.force.begin(), shot.trace.force.end()));
     }
   const bool known = noise > 0.0 && smallest_peak > 0.0;
   return {.speeds = static_cast<int>(speed_clusters(all).size()),
