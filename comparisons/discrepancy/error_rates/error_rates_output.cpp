@@ -11,8 +11,10 @@
 namespace rebound {
 namespace {
 
+/// Nothing where no trial is like it: the believed model of a trial is a lumped law.
 std::vector<ErrorRates> rates_of(const Diagnosis& d) {
-  if (d.verdict == DiagnosisVerdict::insufficient_data) return {};
+  const bool fem_believed = d.numerical_uncertainty.has_value();
+  if (d.verdict == DiagnosisVerdict::insufficient_data || fem_believed) return {};
   return error_rates_of(d.design, std::string(name_of(d.verdict)));
 }
 
@@ -67,8 +69,9 @@ MeasuredErrorRates error_rates_on_page(const Diagnosis& d) {
   if (rates.empty()) {
     if (!d.gap.before) return {};
     return {.sentence = {},
-            .blocks = {report::Paragraph{"How often such a verdict is right was not measured: "
-                                         "blind trials have records of force."}}};
+            .blocks = {report::Paragraph{
+                "How often such a verdict is right was not measured: in "
+                "blind trials a lumped law is believed, and force was recorded."}}};
   }
   std::string sentence = "In blind trials of such experiments";
   for (const ErrorRates& one : rates)
