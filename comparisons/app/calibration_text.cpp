@@ -3,19 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace rebound {
 
 namespace {
-
-Json finite_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-Json value_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json profile_json(const Estimate& estimate) {
   if (!estimate.profile) return nullptr;
@@ -27,12 +19,12 @@ Json profile_json(const Estimate& estimate) {
 }
 
 Json to_json(const ScalarErrors& errors) {
-  return {{"peak_force", value_or_null(errors.peak_force)},
-          {"peak_deflection", value_or_null(errors.peak_deflection)},
-          {"mean_deflection", value_or_null(errors.mean_deflection)},
-          {"contact_time", value_or_null(errors.contact_time)},
-          {"contact_time_1pct", value_or_null(errors.contact_time_1pct)},
-          {"restitution", value_or_null(errors.restitution)}};
+  return {{"peak_force", number_or_null(errors.peak_force)},
+          {"peak_deflection", number_or_null(errors.peak_deflection)},
+          {"mean_deflection", number_or_null(errors.mean_deflection)},
+          {"contact_time", number_or_null(errors.contact_time)},
+          {"contact_time_1pct", number_or_null(errors.contact_time_1pct)},
+          {"restitution", number_or_null(errors.restitution)}};
 }
 
 Json to_json(const LawScore& cell) {
@@ -95,7 +87,7 @@ Json to_json(const CalibrationResult& result) {
     estimates.push_back({{"name", e.name},
                          {"unit", e.unit},
                          {"value", e.value},
-                         {"standard_error", finite_or_null(e.standard_error)},
+                         {"standard_error", number_or_null(e.standard_error)},
                          {"interval", {e.low, e.high}},
                          {"profile", profile_json(e)},
                          {"identifiability", name_of(e.identifiability)},

@@ -10,7 +10,7 @@ Json to_json(const ReferenceImpact& reference) {
     json["uncertainty_basis"][error.key] = {
         {"method",
          error.meshes.basis == ErrorBasis::grid_convergence ? "grid-convergence-index" : "spread"},
-        {"order", order ? Json(*order) : Json(nullptr)},
+        {"order", number_or_null(order)},
         {"meshes", error.meshes.uncertainty},
         {"step", error.step},
         {"scatter", error.scatter}};

@@ -42,7 +42,7 @@ Json gap_json(const TierGap& one) {
           {"fem", one.fem},
           {"tolerance", one.tolerance},
           {"bars", one.bars()},
-          {"allowed_share", one.allowed_share ? Json(*one.allowed_share) : Json(nullptr)},
+          {"allowed_share", number_or_null(one.allowed_share)},
           {"fails", one.fails()}};
 }
 

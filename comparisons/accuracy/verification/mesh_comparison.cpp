@@ -76,7 +76,7 @@ Json to_json(const std::vector<MeshOutcome>& outcomes) {
     rows.push_back({{"generator", name_of(one.generator)},
                     {"cells", one.result.cells},
                     {"steps", one.result.steps},
-                    {"ripple", one.ripple ? Json(*one.ripple) : Json(nullptr)},
+                    {"ripple", number_or_null(one.ripple)},
                     {"peak_force_N", one.result.scalars.peak_force},
                     {"restitution", one.result.scalars.restitution},
                     {"smallest_edge_m", one.smallest_edge},

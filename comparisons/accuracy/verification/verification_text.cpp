@@ -39,7 +39,7 @@ Json to_json(const VerificationTable& table) {
                             {"deviation", row.deviation()},
                             {"tolerance", row.tolerance},
                             {"tolerance_scale", name_of(row.scale)},
-                            {"order", row.order ? Json(*row.order) : Json(nullptr)},
+                            {"order", number_or_null(row.order)},
                             {"passed", row.passes()},
                             {"source", row.source}});
   return json;

@@ -11,10 +11,6 @@ namespace {
 
 using Kind = report::TableColumn::Kind;
 
-Json or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 std::string size_or_none(const std::optional<double>& size, const std::string& effect) {
   return size ? size_text(find_effect(effect).card, *size) : "-";
 }
@@ -49,8 +45,8 @@ Json to_json(const TestDesign& design) {
     effects.push_back({{"name", one.name},
                        {"family", family_of(one.name)},
                        {"unit", size_unit(find_effect(one.name).card)},
-                       {"found", or_null(one.found)},
-                       {"told_apart", or_null(one.told_apart)},
+                       {"found", number_or_null(one.found)},
+                       {"told_apart", number_or_null(one.told_apart)},
                        {"rival", one.rival.empty() ? Json() : Json(one.rival)},
                        {"cosine", one.cosine}});
   for (const DesignChange& one : design.changes)

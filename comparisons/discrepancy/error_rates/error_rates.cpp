@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "comparisons/discrepancy/error_rates/stored_trials.hpp"
 #include "comparisons/discrepancy/trials/trial_rates.hpp"
@@ -29,11 +28,21 @@ bool shows(const TrialTruth& truth) {
 
 const char* true_where(const std::string& verdict) {
   if (verdict == "agrees") return "no effect shows";
-  if (verdict == "missing") return "the effect that is named was hidden";
+  if (verdict == "missing") return "the effect that is named was hidden, or all that are named";
   if (verdict == "family") return "the hidden effect is of that family";
   if (verdict == "one-of") return "the hidden effect is one of the set";
   if (verdict == "measurement-fault") return "a fault of the measurement was hidden";
   return "something was hidden";
+}
+
+/// Of several names all must be true.
+bool all_named_are_hidden(const TrialAnswer& said, const TrialTruth& truth) {
+  if (said.candidates.empty()) return false;
+  const std::vector<std::string>& names = said.candidates.front();
+  return !names.empty() && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::any_of(truth.effects.begin(), truth.effects.end(),
+                       [&](const TrialEffect& one) { return one.registry_name == name; });
+  });
 }
 
 bool is_true(const TrialAnswer& said, const TrialTruth& truth) {
@@ -41,8 +50,7 @@ bool is_true(const TrialAnswer& said, const TrialTruth& truth) {
   const auto any_of_them = [&](const auto& holds) {
     return std::any_of(truth.effects.begin(), truth.effects.end(), holds);
   };
-  if (said.verdict == "missing")
-    return any_of_them([&](const TrialEffect& one) { return said.named == one.registry_name; });
+  if (said.verdict == "missing") return all_named_are_hidden(said, truth);
   if (said.verdict == "family")
     return any_of_them([&](const TrialEffect& one) { return said.family == one.family; });
   if (said.verdict == "one-of")

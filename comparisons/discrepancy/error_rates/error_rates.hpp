@@ -29,7 +29,8 @@ struct ErrorRates {
 ///
 ///   verdict             is true where
 ///   agrees              no effect shows
-///   missing             the effect that is named was hidden, in this form or another
+///   missing             the effect that is named was hidden, in this form or another; of several
+///                       names, all were
 ///   family              the hidden effect is of that family
 ///   one-of              the hidden effect is one of the set
 ///   measurement-fault   a fault of the measurement was hidden

@@ -4,10 +4,6 @@
 namespace rebound {
 namespace {
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 /// Zero stands for unknown.
 Json known(double value) {
   return value > 0.0 ? Json(value) : Json(nullptr);
@@ -22,13 +18,6 @@ Json check_json(const DataCheck& check) {
           {"unit", check.unit.empty() ? "1" : check.unit},
           {"deviations", check.deviations()},
           {"mended_by", check.mended_by}};
-}
-
-template <class Record, class ToJson>
-Json list_of(const std::vector<Record>& records, const ToJson& one) {
-  Json list = Json::array();
-  for (const Record& record : records) list.push_back(one(record));
-  return list;
 }
 
 Json shot_json(const InspectedShot& shot) {

@@ -37,7 +37,7 @@ Json rates_json(const std::vector<RateTable>& tables) {
       one["effects"] = row.trials;
       one["detected"] = share_json(row.detected);
       one["family_right"] = share_json(row.family_right);
-      one["family_at_best"] = row.family_at_best ? Json(*row.family_at_best) : Json(nullptr);
+      one["family_at_best"] = number_or_null(row.family_at_best);
       one["name_right"] = share_json(row.name_right);
       one["wrong_name"] = share_json(row.wrong_name);
       one["false_alarm"] = share_json(row.false_alarm);

@@ -5,10 +5,6 @@
 namespace rebound {
 namespace {
 
-Json error_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 const char* name_of(AuditVerdict verdict) {
   switch (verdict) {
     case AuditVerdict::holds: return "holds";
@@ -31,10 +27,10 @@ Json to_json(const Audit& audit) {
     Json errors = Json::array();
     for (const auto& e : row.errors)
       errors.push_back({{"speed_m_s", e.speed},
-                        {"restitution", error_or_null(e.restitution)},
-                        {"contact_time", error_or_null(e.contact_time)},
-                        {"peak_force", error_or_null(e.peak_force)},
-                        {"peak_deflection", error_or_null(e.peak_deflection)}});
+                        {"restitution", number_or_null(e.restitution)},
+                        {"contact_time", number_or_null(e.contact_time)},
+                        {"peak_force", number_or_null(e.peak_force)},
+                        {"peak_deflection", number_or_null(e.peak_deflection)}});
     rows.push_back({{"id", row.id},
                     {"assumption", row.assumption},
                     {"number", row.number},

@@ -5,10 +5,6 @@
 namespace rebound {
 namespace {
 
-Json or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json to_json(const ConvertedLaw& law) {
   if (!law.failure.empty()) return {{"failure", law.failure}};
   Json parameters = Json::array();
@@ -40,15 +36,15 @@ std::string parameters(const ConvertedLaw& law) {
 }  // namespace
 
 Json to_json(const Observed& o) {
-  return {{"restitution", or_null(o.restitution)},
-          {"contact_time_s", or_null(o.contact_time)},
-          {"peak_force_N", or_null(o.peak_force)}};
+  return {{"restitution", number_or_null(o.restitution)},
+          {"contact_time_s", number_or_null(o.contact_time)},
+          {"peak_force_N", number_or_null(o.peak_force)}};
 }
 
 Json errors_json(const Observed& error) {
-  return {{"restitution", or_null(error.restitution)},
-          {"contact_time", or_null(error.contact_time)},
-          {"peak_force", or_null(error.peak_force)}};
+  return {{"restitution", number_or_null(error.restitution)},
+          {"contact_time", number_or_null(error.contact_time)},
+          {"peak_force", number_or_null(error.peak_force)}};
 }
 
 Json to_json(const ConversionRequest& request, const ConversionTable& table) {

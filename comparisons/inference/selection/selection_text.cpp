@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace rebound {
 namespace {
 
@@ -11,10 +9,6 @@ Json labels(const Selection& s, const std::vector<std::size_t>& members) {
   Json list = Json::array();
   for (std::size_t i : members) list.push_back(s.candidates[i].label);
   return list;
-}
-
-Json finite_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json to_json(const LeftOut& out, Observable observable) {
@@ -37,10 +31,10 @@ Json to_json(const CandidateScore& c, Observable observable) {
           {"law", c.fitted.model.law},
           {"parameters", c.parameters},
           {"misfit", c.misfit},
-          {"aicc", finite_or_null(c.aicc)},
+          {"aicc", number_or_null(c.aicc)},
           {"bic", c.bic},
           {"residual_autocorrelation", c.fitted.fit.residual_autocorrelation},
-          {"prediction_error", c.prediction_error ? Json(*c.prediction_error) : Json(nullptr)},
+          {"prediction_error", number_or_null(c.prediction_error)},
           {"left_out", left_out}};
 }
 

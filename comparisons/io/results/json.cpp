@@ -11,7 +11,8 @@ namespace {
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
-Json number_or_null(int number) {
+/// Lines and columns begin at 1.
+Json place_or_null(int number) {
   return number == 0 ? Json(nullptr) : Json(number);
 }
 
@@ -104,8 +105,8 @@ Json to_json(const Error& error) {
            {{"code", static_cast<int>(error.code())},
             {"message", error.what()},
             {"file", text_or_null(at.file)},
-            {"line", number_or_null(at.line)},
-            {"column", number_or_null(at.column)},
+            {"line", place_or_null(at.line)},
+            {"column", place_or_null(at.column)},
             {"key", text_or_null(at.key)},
             {"value", text_or_null(at.value)},
             {"allowed", text_or_null(at.allowed)}}}};

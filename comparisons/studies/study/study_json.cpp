@@ -1,31 +1,25 @@
 #include "comparisons/studies/study/study_json.hpp"
 
-#include <cmath>
-
 #include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 
 namespace rebound {
 namespace {
 
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json errors_json(const ScalarErrors& errors) {
-  return {{"peak_force", optional_json(errors.peak_force)},
-          {"peak_deflection", optional_json(errors.peak_deflection)},
-          {"mean_deflection", optional_json(errors.mean_deflection)},
-          {"contact_time", optional_json(errors.contact_time)},
-          {"contact_time_1pct", optional_json(errors.contact_time_1pct)},
-          {"restitution", optional_json(errors.restitution)}};
+  return {{"peak_force", number_or_null(errors.peak_force)},
+          {"peak_deflection", number_or_null(errors.peak_deflection)},
+          {"mean_deflection", number_or_null(errors.mean_deflection)},
+          {"contact_time", number_or_null(errors.contact_time)},
+          {"contact_time_1pct", number_or_null(errors.contact_time_1pct)},
+          {"restitution", number_or_null(errors.restitution)}};
 }
 
 Json measured_json(const MeasuredImpact& shot) {
   return {{"speed_m_s", shot.impact.speed},
-          {"restitution", optional_json(shot.restitution.value)},
-          {"contact_time_s", optional_json(shot.contact_time.value)},
-          {"mean_deflection_m", optional_json(shot.mean_deflection.value)}};
+          {"restitution", number_or_null(shot.restitution.value)},
+          {"contact_time_s", number_or_null(shot.contact_time.value)},
+          {"mean_deflection_m", number_or_null(shot.mean_deflection.value)}};
 }
 
 Json shot_json(const StudyShot& shot) {
@@ -72,10 +66,8 @@ Json consistency_json(const ConsistencyFit& one, const Observations& all) {
   for (const ObservableRatio& ratio : one.ratios) {
     Json of_shots = Json::array();
     for (std::size_t i = 0; i < ratio.of_shots.size(); ++i)
-      of_shots.push_back(
-          {{"speed_m_s", all.shots[i].impact.speed},
-           {"measured_over_modelled",
-            std::isfinite(ratio.of_shots[i]) ? Json(ratio.of_shots[i]) : Json(nullptr)}});
+      of_shots.push_back({{"speed_m_s", all.shots[i].impact.speed},
+                          {"measured_over_modelled", number_or_null(ratio.of_shots[i])}});
     ratios.push_back({{"observable", key_of(ratio.what)},
                       {"mean", ratio.mean},
                       {"scatter", ratio.scatter},
@@ -94,7 +86,7 @@ Json parameters_json(const EffectChoice& effect) {
 }
 
 Json gap_json(const ScalarGap& gap) {
-  return {{"fitted", gap.fitted}, {"unseen", optional_json(gap.unseen)}};
+  return {{"fitted", gap.fitted}, {"unseen", number_or_null(gap.unseen)}};
 }
 
 Json scalars_json(const ScalarDiagnosis& d) {
@@ -109,7 +101,7 @@ Json scalars_json(const ScalarDiagnosis& d) {
                        {"reduced_chi_square", one.reduced_chi_square},
                        {"information_criterion", one.information_criterion}});
   return {{"fits", fits},
-          {"unseen_speed_m_s", optional_json(d.unseen_speed)},
+          {"unseen_speed_m_s", number_or_null(d.unseen_speed)},
           {"gap_before", gap_json(d.believed)},
           {"gap_after", gap_json(d.extended)},
           {"earns_a_name", earns_a_name(d)},

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -14,10 +13,6 @@ namespace {
 
 std::string or_one(const std::string& unit) {
   return unit.empty() ? "1" : unit;
-}
-
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 Json effect_json(const NamedEffect& named, const Diagnosis& d) {
@@ -58,13 +53,6 @@ Json excluded_json(const ExcludedSize& excluded) {
           {"size", excluded.size},
           {"unit", or_one(size_unit(card))},
           {"over", over}};
-}
-
-template <class Record, class JsonOf>
-Json list_of(const std::vector<Record>& records, const JsonOf& json_of) {
-  Json list = Json::array();
-  for (const Record& one : records) list.push_back(json_of(one));
-  return list;
 }
 
 Json band_json(const FactorBand& band) {

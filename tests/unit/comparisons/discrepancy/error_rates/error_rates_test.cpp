@@ -71,19 +71,39 @@ TEST(ErrorRatesTest, WithoutRecordsOfForceNoTrialIsAlike) {
 
 TEST(ErrorRatesTest, AVerdictIsTrueWhereItSaysWhatWasHidden) {
   const TrialTruth relaxation = hidden(1, "memory", "relaxation", 400.0);
-  EXPECT_TRUE(counts_as_true(relaxation, said(1, "missing", "memory", "relaxation")));
-  EXPECT_FALSE(counts_as_true(relaxation, said(1, "missing", "rate", "linear-dashpot")));
-  EXPECT_TRUE(counts_as_true(relaxation, said(1, "family", "memory")));
-  EXPECT_FALSE(counts_as_true(relaxation, said(1, "family", "rate")));
-  EXPECT_FALSE(counts_as_true(relaxation, said(1, "agrees")));
-  EXPECT_FALSE(counts_as_true(relaxation, said(1, "measurement-fault")));
-  EXPECT_TRUE(counts_as_true(relaxation, said(1, "unexplained")));
-  TrialOutcome set = said(1, "one-of");
-  set.said.candidates = {{"linear-dashpot"}, {"relaxation"}};
-  EXPECT_TRUE(counts_as_true(relaxation, set));
-  set.said.candidates = {{"linear-dashpot"}, {"adhesion"}};
-  EXPECT_FALSE(counts_as_true(relaxation, set));
-  EXPECT_TRUE(counts_as_true(hidden(1, "measurement", "hum", 400.0), said(1, "measurement-fault")));
+  TrialTruth two = relaxation;
+  two.effects.push_back(hidden(1, "measurement", "sensor-lag").effects.front());
+  const auto one_of = [](const std::string& first, const std::string& second) {
+    TrialOutcome set = said(1, "one-of");
+    set.said.candidates = {{first}, {second}};
+    return set;
+  };
+  const auto both = [](const std::string& first, const std::string& second) {
+    TrialOutcome pair = said(1, "missing");
+    pair.said.candidates = {{first, second}};
+    return pair;
+  };
+  const struct {
+    TrialTruth truth;
+    TrialOutcome outcome;
+    bool is_true;
+  } cases[] = {
+      {relaxation, said(1, "missing", "memory", "relaxation"), true},
+      {relaxation, said(1, "missing", "rate", "linear-dashpot"), false},
+      {relaxation, said(1, "family", "memory"), true},
+      {relaxation, said(1, "family", "rate"), false},
+      {relaxation, said(1, "agrees"), false},
+      {relaxation, said(1, "measurement-fault"), false},
+      {relaxation, said(1, "unexplained"), true},
+      {relaxation, one_of("linear-dashpot", "relaxation"), true},
+      {relaxation, one_of("linear-dashpot", "adhesion"), false},
+      {relaxation, both("relaxation", "sensor-lag"), false},
+      {two, both("relaxation", "sensor-lag"), true},
+      {two, both("relaxation", "adhesion"), false},
+      {hidden(1, "measurement", "hum", 400.0), said(1, "measurement-fault"), true},
+  };
+  for (std::size_t i = 0; i < std::size(cases); ++i)
+    EXPECT_EQ(counts_as_true(cases[i].truth, cases[i].outcome), cases[i].is_true) << "case " << i;
 }
 
 // What cannot be seen is not missed.
