@@ -5,6 +5,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
 
 namespace rebound {
 namespace {

@@ -8,9 +8,6 @@
 
 namespace rebound {
 
-/// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
-inline constexpr double left_by_fem = 1.5;
-
 /// FE with some effects or none, fitted to the histories of every ball.
 struct FemOfAllBalls {
   std::vector<FittedFem> balls;  ///< of a ball without a history: as it was before

@@ -8,6 +8,9 @@
 
 namespace rebound {
 
+/// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
+inline constexpr double left_by_fem = 1.5;
+
 /// A ball in FE, fitted to the histories of some shots.
 struct FittedFem {
   Material material;
@@ -15,6 +18,8 @@ struct FittedFem {
   double chi_square = 0.0;            ///< Σ r² over histories and priors
   std::size_t samples = 0;            ///< of the histories
   double effect_unknowns = 0.0;       ///< fitted numbers of the effects
+
+  bool follows() const { return chi_square <= left_by_fem * static_cast<double>(samples); }
 };
 
 }  // namespace rebound

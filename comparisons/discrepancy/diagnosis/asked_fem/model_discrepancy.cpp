@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/record_of_impact.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
@@ -23,29 +24,6 @@ constexpr double fem_fit_noise = 0.01;  // of the peak: weights only
 
 double peak_of(const std::vector<double>& force) {
   return *std::max_element(force.begin(), force.end());
-}
-
-/// Is the distance between the tiers at one of these speeds that at the other?
-bool one_distance(double a, double b) {
-  constexpr double alike = 0.02;  // of a speed: the distance changes as slowly as speed over c
-  return std::abs(a - b) <= alike * b;
-}
-
-/// The speeds at which a ball was hit, repeats once.
-std::vector<Impact> impacts_of(const Observations& all, std::size_t ball) {
-  std::vector<Impact> impacts;
-  for (const MeasuredImpact& shot : all.shots) {
-    const bool known = std::any_of(impacts.begin(), impacts.end(), [&](const Impact& i) {
-      return one_distance(i.speed, shot.impact.speed);
-    });
-    if (shot.ball == ball && !known) impacts.push_back({.speed = shot.impact.speed});
-  }
-  return impacts;
-}
-
-bool is_hit(const Observations& all, std::size_t ball) {
-  return std::any_of(all.shots.begin(), all.shots.end(),
-                     [&](const MeasuredImpact& shot) { return shot.ball == ball; });
 }
 
 /// The fitted FE model's histories as if they had been measured.
@@ -82,9 +60,10 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
   time.reserve(phases);
   for (int k = 0; k < phases; ++k)
     time.push_back((first_phase + k * curve.phase_step) * lumped.scalars.contact_time);
-  const std::vector<double> model = reported_force(lumped.trace, {}, time);
+  const std::vector<double> model = reported_force(contact_and_after(lumped, {}, time), {}, time);
   const MeasurementChain clock{.trigger_shift = -fit.model->first_touch(fit.values, shot)};
-  const std::vector<double> fem_fit = reported_force(fem.trace, clock, time);
+  const std::vector<double> fem_fit =
+      reported_force(contact_and_after(fem, clock, time), clock, time);
   for (std::size_t k = 0; k < time.size(); ++k)
     curve.force.push_back((fem_fit[k] - model[k]) / lumped.scalars.peak_force);
   curve.scalars = shares_added(lumped.scalars, fem.scalars);
@@ -92,20 +71,6 @@ DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impa
 }
 
 }  // namespace
-
-std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
-                                       std::size_t ball) {
-  std::vector<std::size_t> shots;
-  for (const Impact& impact : impacts_of(all, ball)) {
-    const auto first = std::find_if(seen.shots.begin(), seen.shots.end(), [&](const auto& shot) {
-      return shot.ball == ball && shot.has_history() &&
-             one_distance(impact.speed, shot.impact.speed);
-    });
-    if (first != seen.shots.end())
-      shots.push_back(static_cast<std::size_t>(first - seen.shots.begin()));
-  }
-  return shots;
-}
 
 double DiscrepancyCurve::at(double phase) const {
   const double place = (phase - first_phase) / phase_step;
@@ -117,12 +82,17 @@ double DiscrepancyCurve::at(double phase) const {
 
 const DiscrepancyCurve& ModelDiscrepancy::curve_at(std::size_t ball, double speed) const {
   const auto curve = std::find_if(curves.begin(), curves.end(), [&](const DiscrepancyCurve& c) {
-    return c.ball == ball && one_distance(c.speed, speed);
+    return c.ball == ball && are_one_speed(c.speed, speed);
   });
   if (curve == curves.end())
     throw Error(ExitCode::bad_input,
                 fmt::format("no distance between the tiers at {:g} m/s", speed));
   return *curve;
+}
+
+bool ModelDiscrepancy::plate_moves() const {
+  return std::any_of(balls.begin(), balls.end(),
+                     [](const FittedFem& ball) { return !ball.effects.empty(); });
 }
 
 double ModelDiscrepancy::ratio_of(const ScalarQuantity& scalar, std::size_t ball,
@@ -157,7 +127,7 @@ struct BallInFem {
   ScalarShares scalar_errors{};         ///< of their scalars
 };
 
-BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const Material& material,
+BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,
                    const FemBelief& coarse, const FemBelief& fine) {
   // Of what half the edge changes, 1/(2^p - 1) is missing yet; at the edge of a contact p is 3/2.
   constexpr double still_missing = 0.547;
@@ -167,8 +137,8 @@ BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const M
   std::vector<double> errors(impacts.size());
   std::vector<ScalarShares> added(impacts.size());
   in_parallel(impacts.size(), [&](std::size_t i) {
-    const ModelledImpact before = coarse.run(ball, impacts[i], material, {});
-    result.impacts[i] = fine.run(ball, impacts[i], material, {});
+    const ModelledImpact before = coarse.run(ball, impacts[i], fitted.material, fitted.effects);
+    result.impacts[i] = fine.run(ball, impacts[i], fitted.material, fitted.effects);
     errors[i] = still_missing * history_difference(before, result.impacts[i]);
     added[i] = shares_added(before.scalars, result.impacts[i].scalars);
     result.known[i] = {.ball = ball,
@@ -185,34 +155,16 @@ BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const M
   return result;
 }
 
-/// FE's own idea of every ball, fitted on meshes cut for a guess.
-std::vector<FittedFem> own_balls(const Observations& all, const Observations& seen,
-                                 const HypothesisFit& fit, const FemProblem& problem,
-                                 const RunControl& control) {
-  std::vector<std::vector<std::size_t>> shots;
-  std::vector<Material> guesses;
-  for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
-    shots.push_back(shots_for_fem(seen, all, ball));
-    guesses.push_back(is_hit(all, ball) ? guess_fem_material(seen, shots.back(), fit) : Material{});
-  }
-  const FemBelief fem(problem, all, guesses, search_cells, control);
-  std::vector<FittedFem> balls;
-  for (std::size_t ball = 0; ball < all.balls.size(); ++ball)
-    balls.push_back(is_hit(all, ball)
-                        ? fit_fem_model(seen, shots[ball], fit, fem, {}, nullptr, control)
-                        : FittedFem{});
-  return balls;
-}
-
 }  // namespace
 
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
                                            const HypothesisFit& fit, const OwnMesh& own,
+                                           const std::vector<EffectChoice>& plates,
                                            const RunControl& control) {
   FemProblem problem;
   problem.mesh_file = own.file;
   ModelDiscrepancy gap;
-  gap.balls = own_balls(all, seen, fit, problem, control);
+  gap.balls = fit_own_balls(all, seen, fit, problem, plates, control);
   std::vector<Material> materials;
   for (const FittedFem& ball : gap.balls) materials.push_back(ball.material);
   constexpr int one_halving = 1;
@@ -224,13 +176,15 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     if (!is_hit(all, ball)) continue;
     const std::vector<Impact> impacts = impacts_of(all, ball);
-    const BallInFem in_fem = run_ball(ball, impacts, materials[ball], coarse, fine);
+    const BallInFem in_fem = run_ball(ball, impacts, gap.balls[ball], coarse, fine);
     gap.numerical_uncertainty = std::max(gap.numerical_uncertainty, in_fem.error);
     for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
       gap.scalar_uncertainty[k] = std::max(gap.scalar_uncertainty[k], in_fem.scalar_errors[k]);
     known.insert(known.end(), in_fem.known.begin(), in_fem.known.end());
     const Observations as_data = as_observed(all.balls[ball], impacts, in_fem.impacts);
     hypothesis.effects = effects_of_ball(fit.effects, ball);
+    hypothesis.effects.insert(hypothesis.effects.end(), gap.balls[ball].effects.begin(),
+                              gap.balls[ball].effects.end());
     const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
       gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem.impacts[i]));

@@ -45,9 +45,12 @@ struct ModelDiscrepancy {
   double numerical_uncertainty = 0.0;
   ScalarShares scalar_uncertainty{};  ///< the same, the largest of all balls and speeds
   std::vector<int> cells;             ///< of the two meshes, of the finest ball
-  std::vector<FittedFem> balls;       ///< FE's own idea of each ball
+  std::vector<FittedFem> balls;       ///< FE's own idea of each ball, and of the plate under it
   /// Those balls, corrected by the finer mesh at the speeds of the data.
   std::shared_ptr<const FemBelief> fem;
+
+  /// Does FE need a plate that moves to follow the data?
+  bool plate_moves() const;
 
   /// A lumped force history with the gap of that ball and speed added, from a
   /// tenth of the contact time before first touch to three tenths after it, or
@@ -67,10 +70,6 @@ struct ModelDiscrepancy {
   const DiscrepancyCurve& curve_at(std::size_t ball, double speed) const;
 };
 
-/// Shots of a ball that FE is fitted to: of those that were seen one with a history at each speed.
-std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
-                                       std::size_t ball);
-
 /// The user's own mesh in place of mapped ones: it and its refinement; empty: none.
 struct OwnMesh {
   std::string file;
@@ -78,9 +77,14 @@ struct OwnMesh {
 
 /// Makes the fitted FE model of a believed lumped model and measures their distance.
 ///
-///   1 of each ball FE's own material, fitted to the histories in `seen` (fit_fem_model)
+///   1 of each ball FE's own material, fitted to the histories in `seen` (fit_own_balls), on a
+///   rigid
+///     plate or on one that moves
 ///   2 its force histories at every speed of `all`, on a mesh of half the edge
-///   3 the lumped model refitted to those; what is left is the gap, over time and of scalars
+///   3 the lumped model refitted to those, on that plate; what is left is the gap, over time and of
+///     scalars
+///
+///   plates   where one may be looked for in FE, as the lumped tier has found it
 ///
 /// The numerical uncertainty is 0.55 of what both meshes differ by: what order 3/2 leaves, which is
 /// that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
@@ -90,6 +94,7 @@ struct OwnMesh {
 /// Errors: those of the fits and of FE; Error(solver_failed) without a history.
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
                                            const HypothesisFit& fit, const OwnMesh& own,
+                                           const std::vector<EffectChoice>& plates,
                                            const RunControl& control);
 
 /// Data whose noise, and whose scalars' uncertainty, holds the numerical uncertainty of FE as well.

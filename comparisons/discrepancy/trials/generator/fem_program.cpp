@@ -67,6 +67,10 @@ int run(std::vector<std::string> arguments, const fs::path& messages) {
   return WEXITSTATUS(status);
 }
 
+/// Exit codes of a program that works, of a ball that nobody can compute; another one is drawn. All
+/// others say that the program does not work.
+constexpr int deck_refused = 2, no_result = 3;
+
 /// Columns time_s and force_N.
 struct Trace {
   std::vector<double> time, force;
@@ -105,9 +109,10 @@ const SimulatedImpact& FemProgram::impact(const FemBall& ball, const FemImpact& 
   std::ofstream(file) << deck;
   const int code = run(
       {program_.string(), "fem", file.string(), "--out", out.string(), "--threads", "1"}, messages);
-  if (code != 0)
-    throw NoRebound(
-        fmt::format("{} ends with exit code {}: {}", program_.string(), code, text_of(messages)));
+  const std::string said =
+      fmt::format("{} ends with exit code {}: {}", program_.string(), code, text_of(messages));
+  if (code == deck_refused || code == no_result) throw NoRebound(said);
+  if (code != 0) throw std::runtime_error(said);
   SimulatedImpact result = read_fem_impact(out);
   constexpr double share_of_contact = 1.5;
   if (ball.plate)

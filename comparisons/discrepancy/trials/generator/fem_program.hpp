@@ -20,7 +20,8 @@ class FemProgram {
 
   /// The record ends soon after the contact; a load cell that rings on is carried on as the free
   /// vibration of its plate, 1.5 contact times further.
-  /// Errors: NoRebound where the program gives no result, with what it said.
+  /// Errors: NoRebound where the program refuses the ball or finds no result, std::runtime_error
+  ///         where it does not work; both with what it said.
   const SimulatedImpact& impact(const FemBall& ball, const FemImpact& impact);
 
  private:

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,9 +10,10 @@ namespace trials {
 namespace {
 
 /// Places of the unknowns; those of shot j follow from first_of_shot + 2 j.
-enum Unknown { log_modulus, poisson_ratio, branches, gain, offset, first_of_shot };
+enum Unknown { log_modulus, poisson_ratio, branches, log_times, gain, offset, first_of_shot };
+constexpr std::array of_the_ball = {log_modulus, poisson_ratio, branches, log_times};
 
-/// Slopes by the five shared unknowns and the shot's two; the residual last.
+/// Slopes by the six shared unknowns and the shot's two; the residual last.
 using Row = std::array<double, first_of_shot + 3>;
 
 /// The ball with nothing hidden, one of its numbers changed by `step`.
@@ -21,6 +23,8 @@ Trial changed(Trial trial, Unknown which, double step) {
   if (which == poisson_ratio) ball.poisson_ratio += step;
   if (which == branches)
     for (FemBranch& branch : ball.branches) branch.ratio *= 1.0 + step;
+  if (which == log_times)
+    for (FemBranch& branch : ball.branches) branch.time *= std::exp(step);
   return trial;
 }
 
@@ -29,8 +33,8 @@ class NothingHidden {
  public:
   NothingHidden(const Trial& trial, const std::vector<Sampling>& samplings)
       : trial_(trial), samplings_(samplings), force_(records_of(trial)) {
-    constexpr std::array<double, 3> steps = {0.01, -0.01, 0.05};
-    for (const Unknown which : {log_modulus, poisson_ratio, branches}) {
+    constexpr std::array<double, of_the_ball.size()> steps = {0.01, -0.01, 0.05, 0.05};
+    for (const Unknown which : of_the_ball) {
       std::vector<std::vector<double>> records = records_of(changed(trial, which, steps[which]));
       for (std::size_t j = 0; j < records.size(); ++j)
         for (std::size_t i = 0; i < records[j].size(); ++i)
@@ -52,6 +56,7 @@ class NothingHidden {
     return {slopes_[log_modulus][shot][i],
             slopes_[poisson_ratio][shot][i],
             slopes_[branches][shot][i],
+            slopes_[log_times][shot][i],
             force[i] / trial_.true_gain,
             1.0,
             -slope,
@@ -71,8 +76,16 @@ class NothingHidden {
   const Trial& trial_;
   const std::vector<Sampling>& samplings_;
   std::vector<std::vector<double>> force_;
-  std::array<std::vector<std::vector<double>>, 3> slopes_;
+  std::array<std::vector<std::vector<double>>, of_the_ball.size()> slopes_;
 };
+
+/// σ over √(σ² + e²), e what the cells that the data are computed on get wrong: nobody sees what is
+/// smaller, however quiet the record.
+double weight_beside_mesh(const Noise& noise, const std::vector<double>& force) {
+  constexpr double error_of_mesh = 0.005;  // rms over the peak: half the edge changes so much
+  const double peak = *std::max_element(force.begin(), force.end());
+  return noise.deviation / std::hypot(noise.deviation, error_of_mesh * peak);
+}
 
 /// Rows of a linear problem, kept so that what is left over can be summed.
 class LinearProblem {
@@ -123,9 +136,12 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
     std::vector<Row> rows;
     for (std::size_t i = 0; i < hidden.size(); ++i) rows.push_back(nothing.row(j, i, hidden[i]));
     prediction.whiten(rows);
+    const double weight = weight_beside_mesh(trial.noise, nothing.force(j));
+    for (Row& row : rows)
+      for (double& one : row) one *= weight;
     const int own = static_cast<int>(first_of_shot + 2 * j);
     for (const Row& row : rows)
-      problem.add({log_modulus, poisson_ratio, branches, gain, offset, own, own + 1},
+      problem.add({log_modulus, poisson_ratio, branches, log_times, gain, offset, own, own + 1},
                   {row.begin(), row.end() - 1}, row.back());
     problem.add({own + 1}, {trial.shots[j].speed.value / trial.shots[j].speed.uncertainty}, 0.0);
   }

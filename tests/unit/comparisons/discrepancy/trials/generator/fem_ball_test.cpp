@@ -117,6 +117,18 @@ TEST(FemRecord, ALoadCellRingsOnAsThePlateDoes) {
     EXPECT_NEAR(record.force[i], exact(static_cast<double>(i) * record.step), 0.05);
 }
 
+// A faster one is excited by nodes that touch one by one: what would be hidden is the mesh.
+TEST(FemForms, APlateRingsAFewTimesInAContact) {
+  const EffectForm& form = fem_form("plate-under-ball");
+  const Scales scales = testing::example_scales(0.2);
+  HiddenWorld world = body();
+  const double lightest = form.secondary.front().from;
+  form.apply(form.smallest, {{"mass_ratio", lightest}}, scales, world);
+  const double frequency =
+      std::sqrt(world.fem.plate->stiffness / world.fem.plate->mass) / (2.0 * std::numbers::pi);
+  EXPECT_LT(frequency * scales.contact_time, 8.0);
+}
+
 class FemResult : public ::testing::Test {
  protected:
   rebound::testing::TemporaryFolder folder_;
@@ -147,8 +159,35 @@ TEST(FemProgramTest, WhatIsNoProgramIsRefused) {
   EXPECT_THROW(FemProgram("/nowhere/rebound"), std::runtime_error);
 }
 
-TEST(FemProgramTest, AProgramThatFailsHasNoImpact) {
-  EXPECT_THROW(FemProgram("/bin/false").impact(body().fem, impact), NoRebound);
+class FemProgramThatEnds : public ::testing::Test {
+ protected:
+  /// With that exit code, whatever it is asked.
+  void run_one_that_ends_with(int code) {
+    const auto program = folder_.write("program", fmt::format("#!/bin/sh\nexit {}\n", code));
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    FemProgram(program).impact(body().fem, impact);
+  }
+  rebound::testing::TemporaryFolder folder_;
+};
+
+TEST_F(FemProgramThatEnds, WithoutAResultHasNoImpact) {
+  EXPECT_THROW(run_one_that_ends_with(2), NoRebound);
+  EXPECT_THROW(run_one_that_ends_with(3), NoRebound);
+}
+
+// Else another ball would be drawn for ever.
+TEST_F(FemProgramThatEnds, WithAnotherCodeDoesNotWork) {
+  for (const int code : {1, 4, 127}) {
+    try {
+      run_one_that_ends_with(code);
+      FAIL() << "code " << code;
+    } catch (const NoRebound&) {
+      FAIL() << "code " << code << " is taken for a ball without a rebound";
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(fmt::format("exit code {}", code)),
+                std::string::npos);
+    }
+  }
 }
 
 }  // namespace
