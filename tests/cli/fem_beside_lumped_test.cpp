@@ -97,6 +97,23 @@ TEST_F(BesideFem, APlateUnderABallOfFemIsSupported) {
   EXPECT_NE(page().find("FE was asked of plate-compliance and supports it"), std::string::npos);
 }
 
+/// Four rings a contact: FE on a rigid plate follows nothing, and its own part is another one.
+TEST_F(BesideFem, AStiffPlateUnderABallOfFemIsNamed) {
+  const auto found = beside_lumped(
+      ball("elastic = \"mooney-rivlin\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.45\n" +
+           branch("1.0", "0.04 ms") +
+           "[[model.effect]]\nname = \"plate-compliance\"\nsize = \"2e-9 m/N\"\nmass = \"1.5 "
+           "kg\"\n"),
+      "25 N");
+  EXPECT_EQ(found["verdict"], "missing") << found["warnings"];
+  ASSERT_EQ(found["effects"].size(), 1u);
+  EXPECT_EQ(found["effects"][0]["name"], "plate-compliance");
+  EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "supported");
+  EXPECT_GT(found["gap"]["before"].get<double>(), 5.0);
+  EXPECT_LT(found["gap"]["after"].get<double>(), 1.2);
+  EXPECT_LT(found["gap"]["held_out_after"].get<double>(), 1.3);
+}
+
 /// Mullins' softening is a curve of the largest strain of each point, which no lumped form has.
 TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
   const auto found = beside_lumped(

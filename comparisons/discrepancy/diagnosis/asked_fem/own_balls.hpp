@@ -30,7 +30,7 @@ std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observati
 ///            takes half of what FE left over without it.
 ///
 /// Limit:  a ball of FE on a plate that moves comes out as such
-///         -> test BesideFem.APlateThatMovesFarIsNamed.
+///         -> test BesideFem.AStiffPlateUnderABallOfFemIsNamed.
 /// Errors: as fit_fem_model().
 std::vector<FittedFem> fit_own_balls(const Observations& all, const Observations& seen,
                                      const HypothesisFit& fit, const FemProblem& problem,
