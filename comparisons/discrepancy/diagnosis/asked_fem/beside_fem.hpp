@@ -9,8 +9,10 @@ namespace rebound {
 /// (measure_model_discrepancy), and searches again with that in the model and in the errors of the
 /// data, where
 ///
-///   1 the lumped model with FE's own part is plainly nearer to the data than without, and
-///   2 where effects have explained them, explains half of what those do at least.
+///   1 the lumped model with FE's own part is plainly nearer to the data than without, or FE needs a
+///     plate that moves to come near (fit_own_balls), and
+///   2 where effects have explained them, and no plate moves, explains half of what those do at
+///     least.
 ///
 /// The new search stands where it explains the data and its criterion, on the same errors, is no
 /// worse than that of the effects: those it has replaced were FE's own part.
