@@ -9,9 +9,8 @@ namespace rebound {
 /// (measure_model_discrepancy), and searches again with that in the model and in the errors of the
 /// data, where
 ///
-///   1 the lumped model with FE's own part is plainly nearer to the data than without, or FE needs
-///   a
-///     plate that moves to come near (fit_own_balls), and
+///   1 the lumped model with FE's own part is plainly nearer to the data than without, or FE
+///     needs a plate that moves to come near (fit_own_balls), and
 ///   2 where effects have explained them, and no plate moves, explains half of what those do at
 ///     least.
 ///
