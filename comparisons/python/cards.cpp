@@ -57,22 +57,15 @@ Json effect_of(const Effect& effect) {
           {"source", card.source}};
 }
 
-template <class Cards, class Describe>
-py::object list_of(const Cards& cards, const Describe& one) {
-  Json list = Json::array();
-  for (const auto& card : cards) list.push_back(one(card));
-  return to_python(list);
-}
-
 }  // namespace
 
 void declare_cards(py::module_& module) {
   module.def(
-      "laws", [] { return list_of(all_laws(), law_of); },
+      "laws", [] { return to_python(list_of(all_laws(), law_of)); },
       "Contact laws: name, equation, source, parameters. Ranges are in SI; None: no limit. A unit\n"
       "that depends on an exponent is that at its usual value.");
   module.def(
-      "effects", [] { return list_of(all_effects(), effect_of); },
+      "effects", [] { return to_python(list_of(all_effects(), effect_of)); },
       "Effects that a model may lack: name, family, equation, what they act on, unit and range of\n"
       "their size, parameters, where they show, what experiment would tell. In SI.");
 }
