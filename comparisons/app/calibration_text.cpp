@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "comparisons/inference/references/scalar_errors_json.hpp"
+
 namespace rebound {
 
 namespace {
@@ -16,15 +18,6 @@ Json profile_json(const Estimate& estimate) {
           {"closed", {p.low_closed, p.high_closed}},
           {"value", p.value},
           {"cost", p.cost}};
-}
-
-Json to_json(const ScalarErrors& errors) {
-  return {{"peak_force", number_or_null(errors.peak_force)},
-          {"peak_deflection", number_or_null(errors.peak_deflection)},
-          {"mean_deflection", number_or_null(errors.mean_deflection)},
-          {"contact_time", number_or_null(errors.contact_time)},
-          {"contact_time_1pct", number_or_null(errors.contact_time_1pct)},
-          {"restitution", number_or_null(errors.restitution)}};
 }
 
 Json to_json(const LawScore& cell) {

@@ -12,7 +12,7 @@ Json parameter_of(const ParameterCard& card, const ParameterValues& typical) {
           {"unit", unit_name(card.dimension(typical))},
           {"lowest", card.range.lowest},
           {"highest", card.range.highest},
-          {"default", card.default_value ? Json(*card.default_value) : Json(nullptr)}};
+          {"default", number_or_null(card.default_value)}};
 }
 
 Json law_of(const LawCard& card) {

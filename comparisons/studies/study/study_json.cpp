@@ -1,19 +1,11 @@
 #include "comparisons/studies/study/study_json.hpp"
 
 #include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
+#include "comparisons/inference/references/scalar_errors_json.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
 
 namespace rebound {
 namespace {
-
-Json errors_json(const ScalarErrors& errors) {
-  return {{"peak_force", number_or_null(errors.peak_force)},
-          {"peak_deflection", number_or_null(errors.peak_deflection)},
-          {"mean_deflection", number_or_null(errors.mean_deflection)},
-          {"contact_time", number_or_null(errors.contact_time)},
-          {"contact_time_1pct", number_or_null(errors.contact_time_1pct)},
-          {"restitution", number_or_null(errors.restitution)}};
-}
 
 Json measured_json(const MeasuredImpact& shot) {
   return {{"speed_m_s", shot.impact.speed},
@@ -36,8 +28,8 @@ Json cell_json(const LawScore& cell) {
           {"peak_force_N", cell.scalars.peak_force},
           {"peak_deflection_m", cell.scalars.peak_deflection},
           {"mean_deflection_m", cell.scalars.mean_deflection},
-          {"error_against_fem", errors_json(cell.against_reference)},
-          {"error_against_measurement", errors_json(cell.against_measured)},
+          {"error_against_fem", to_json(cell.against_reference)},
+          {"error_against_measurement", to_json(cell.against_measured)},
           {"force_time_rms_of_peak", cell.force_time_rms},
           {"force_deflection_rms_of_peak", cell.force_deflection_rms}};
 }

@@ -126,7 +126,7 @@ TEST(FemForms, APlateRingsAFewTimesInAContact) {
   form.apply(form.smallest, {{"mass_ratio", lightest}}, scales, world);
   const double frequency =
       std::sqrt(world.fem.plate->stiffness / world.fem.plate->mass) / (2.0 * std::numbers::pi);
-  EXPECT_LT(frequency * scales.contact_time, 8.0);
+  EXPECT_LT(frequency * scales.contact_time, 6.0);
 }
 
 class FemResult : public ::testing::Test {
