@@ -19,20 +19,21 @@
 namespace rebound {
 namespace {
 
-constexpr double radius = 0.01, length = 0.05, density = 589.8416, youngs_modulus = 10e6;
-constexpr double area = std::numbers::pi * radius * radius;
+constexpr double bar_radius = 0.01, length = 0.05, density = 589.8416, youngs_modulus = 10e6;
+constexpr double area = std::numbers::pi * bar_radius * bar_radius;
 
-const FemResult& impact(int cells_along) {
+const FemResult& bar_impact(int cells_along) {
   static std::map<int, FemResult> known;
   if (!known.contains(cells_along)) {
     FemProblem problem;
-    problem.sphere = {.mass = density * area * length, .diameter = 2 * radius};
+    problem.sphere = {.mass = density * area * length, .diameter = 2 * bar_radius};
     problem.impact.speed = 0.1;
     problem.material = {.youngs_modulus = youngs_modulus, .poisson_ratio = 0.0};
-    const auto body = fem::discretise(
-        test::cylinder(
-            {.radius = radius, .length = length, .cells_across = 2, .cells_along = cells_along}),
-        problem.sphere.mass);
+    const auto body = fem::discretise(test::cylinder({.radius = bar_radius,
+                                                      .length = length,
+                                                      .cells_across = 2,
+                                                      .cells_along = cells_along}),
+                                      problem.sphere.mass);
     known[cells_along] = fem::run_explicit_impact(body, problem, {});
   }
   return known[cells_along];
@@ -40,7 +41,7 @@ const FemResult& impact(int cells_along) {
 
 TEST(VerificationCaseDBar, StressAndContactTime) {
   const double wave_speed = std::sqrt(youngs_modulus / density);
-  const FemResult& result = impact(400);
+  const FemResult& result = bar_impact(400);
   EXPECT_EQ(result.incomplete_because, "");
   EXPECT_LE(result.closures.impulse, 1e-6);
   EXPECT_LE(result.closures.energy, 1e-3);
@@ -61,7 +62,7 @@ TEST(VerificationCaseDBar, StressAndContactTime) {
 TEST(VerificationCaseDBar, RestitutionComesToOne) {
   double missing_before = 0.0;
   for (const int cells : {50, 100, 200, 400}) {
-    const double missing = 1.0 - impact(cells).restitution_momentum;
+    const double missing = 1.0 - bar_impact(cells).restitution_momentum;
     EXPECT_GT(missing, 0.0);
     if (missing_before > 0.0) {
       EXPECT_GT(missing_before / missing, 1.4) << cells;
@@ -73,8 +74,9 @@ TEST(VerificationCaseDBar, RestitutionComesToOne) {
 
 TEST(VerificationCaseDBar, ConstraintWorkIsProportionalToTheCell) {
   for (const int cells : {50, 100, 200})
-    EXPECT_NEAR(impact(cells).contact_constraint_share / impact(2 * cells).contact_constraint_share,
-                2.0, 0.1);
+    EXPECT_NEAR(
+        bar_impact(cells).contact_constraint_share / bar_impact(2 * cells).contact_constraint_share,
+        2.0, 0.1);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 using KnownCase = targets::SphereImpact;
 constexpr auto& known_cases = targets::sphere_impacts;
 
-const FemResult& impact(const KnownCase& case_id) {
+const FemResult& sphere_impact(const KnownCase& case_id) {
   static std::map<double, FemResult> known;
   if (!known.contains(case_id.speed)) {
     const FemProblem problem = test::common_case(case_id.speed);
@@ -35,7 +35,7 @@ const FemResult& impact(const KnownCase& case_id) {
 
 TEST(VerificationCaseD, ForceTimeAndRestitution) {
   for (const KnownCase& case_id : known_cases) {
-    const FemResult& result = impact(case_id);
+    const FemResult& result = sphere_impact(case_id);
     EXPECT_NEAR(result.scalars.peak_force / case_id.force, 1.0, case_id.force_tolerance)
         << case_id.speed;
     EXPECT_NEAR(result.scalars.contact_time / case_id.time, 1.0, case_id.time_tolerance)
@@ -54,7 +54,7 @@ TEST(VerificationCaseD, HertzIsTheLimitOfSmallContacts) {
     const double k = 4.0 / 3.0 * 10e6 / (1.0 - 0.16) * std::sqrt(problem.sphere.radius());
     const double hertz = std::pow(1.25, 0.6) * std::pow(k, 0.4) *
                          std::pow(problem.sphere.mass * case_id.speed * case_id.speed, 0.6);
-    const double above = impact(case_id).scalars.peak_force / hertz - 1.0;
+    const double above = sphere_impact(case_id).scalars.peak_force / hertz - 1.0;
     EXPECT_GT(above, before + 0.01) << case_id.speed;
     before = above;
   }
@@ -63,7 +63,7 @@ TEST(VerificationCaseD, HertzIsTheLimitOfSmallContacts) {
 
 TEST(VerificationCaseD, VibrationIsWhatRestitutionMisses) {
   for (const KnownCase& case_id : known_cases) {
-    const FemResult& result = impact(case_id);
+    const FemResult& result = sphere_impact(case_id);
     const double e = result.restitution_momentum;
     EXPECT_NEAR(1.0 - e * e, result.vibrational_energy_share + result.contact_constraint_share,
                 1e-5)

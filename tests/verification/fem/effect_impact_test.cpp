@@ -15,7 +15,7 @@ FemProblem base() {
   return problem;
 }
 
-const Mesh& mesh() {
+const Mesh& effect_mesh() {
   static const Mesh made = generate_sphere_mesh({.radius = base().sphere.radius(), .cells = 400});
   return made;
 }
@@ -23,7 +23,7 @@ const Mesh& mesh() {
 FemResult run(const std::vector<EffectChoice>& effects) {
   FemProblem problem = base();
   apply_effects(effects, problem);
-  return test::checked_impact(mesh(), problem);
+  return test::checked_impact(effect_mesh(), problem);
 }
 
 void expect_sign(int sign, double change, const std::string& name) {

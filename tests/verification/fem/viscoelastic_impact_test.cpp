@@ -10,7 +10,7 @@
 namespace rebound {
 namespace {
 
-const Mesh& mesh() {
+const Mesh& viscoelastic_mesh() {
   static const Mesh made = generate_sphere_mesh({.radius = 0.0331, .cells = 500});
   return made;
 }
@@ -21,14 +21,14 @@ FemProblem with_branch(double ratio, double relaxation_time, Relaxes relaxes) {
   return problem;
 }
 
-FemResult impact(double ratio, double relaxation_time, Relaxes relaxes) {
-  return test::checked_impact(mesh(), with_branch(ratio, relaxation_time, relaxes));
+FemResult viscoelastic_impact(double ratio, double relaxation_time, Relaxes relaxes) {
+  return test::checked_impact(viscoelastic_mesh(), with_branch(ratio, relaxation_time, relaxes));
 }
 
 TEST(ViscoelasticImpact, EnergyLostIsEnergyCounted) {
   for (const auto relaxes : {Relaxes::all, Relaxes::deviator})
     for (const double ratio : {0.1, 0.5}) {
-      const FemResult result = impact(ratio, 0.3e-3, relaxes);
+      const FemResult result = viscoelastic_impact(ratio, 0.3e-3, relaxes);
       const double e = result.restitution_momentum;
       const double brought = 0.5 * 0.0896 * 15.0 * 15.0;
       const EnergyBalance& end = result.energies.back();
@@ -47,7 +47,7 @@ TEST(ViscoelasticImpact, RestitutionFallsAsTheBranchGrows) {
   for (const auto relaxes : {Relaxes::all, Relaxes::deviator}) {
     double before = 1.0;
     for (const double ratio : {0.0, 0.1, 0.3, 0.5}) {
-      const double e = impact(ratio, 0.3e-3, relaxes).restitution_momentum;
+      const double e = viscoelastic_impact(ratio, 0.3e-3, relaxes).restitution_momentum;
       EXPECT_LT(e, before - 0.01) << ratio;
       before = e;
     }
@@ -56,13 +56,13 @@ TEST(ViscoelasticImpact, RestitutionFallsAsTheBranchGrows) {
 }
 
 TEST(ViscoelasticImpact, BranchOfAllLosesMoreThanOfTheDeviator) {
-  EXPECT_LT(impact(0.4, 0.3e-3, Relaxes::all).restitution_momentum,
-            impact(0.4, 0.3e-3, Relaxes::deviator).restitution_momentum - 0.01);
+  EXPECT_LT(viscoelastic_impact(0.4, 0.3e-3, Relaxes::all).restitution_momentum,
+            viscoelastic_impact(0.4, 0.3e-3, Relaxes::deviator).restitution_momentum - 0.01);
 }
 
 TEST(ViscoelasticImpact, SlowBranchIsElasticWithTheInstantaneousModulus) {
-  const FemResult elastic = impact(0.0, 0.0, Relaxes::all);
-  const FemResult slow = impact(0.4, 1e3, Relaxes::all);
+  const FemResult elastic = viscoelastic_impact(0.0, 0.0, Relaxes::all);
+  const FemResult slow = viscoelastic_impact(0.4, 1e3, Relaxes::all);
   EXPECT_NEAR(slow.scalars.peak_force / elastic.scalars.peak_force, 1.0, 1e-5);
   EXPECT_NEAR(slow.restitution_momentum, elastic.restitution_momentum, 1e-5);
 }
@@ -70,8 +70,8 @@ TEST(ViscoelasticImpact, SlowBranchIsElasticWithTheInstantaneousModulus) {
 TEST(ViscoelasticImpact, FastBranchIsElasticWithTheLongTermModulus) {
   FemProblem soft = with_branch(0.0, 0.0, Relaxes::all);
   soft.material.youngs_modulus *= 0.6;
-  const FemResult elastic = test::checked_impact(mesh(), soft);
-  const FemResult fast = impact(0.4, 1e-9, Relaxes::all);
+  const FemResult elastic = test::checked_impact(viscoelastic_mesh(), soft);
+  const FemResult fast = viscoelastic_impact(0.4, 1e-9, Relaxes::all);
   EXPECT_NEAR(fast.scalars.peak_force / elastic.scalars.peak_force, 1.0, 5e-3);
   EXPECT_NEAR(fast.scalars.peak_deflection / elastic.scalars.peak_deflection, 1.0, 1e-3);
   EXPECT_NEAR(fast.restitution_momentum, elastic.restitution_momentum, 1e-3);
@@ -81,8 +81,8 @@ TEST(ViscoelasticImpact, BothModulusBasesGiveTheSameImpact) {
   FemProblem long_term = with_branch(1.0, 0.3e-3, Relaxes::all);
   long_term.material.modulus = ModulusBasis::long_term;
   long_term.material.youngs_modulus = 5e6;
-  const FemResult a = test::checked_impact(mesh(), long_term);
-  const FemResult b = impact(0.5, 0.3e-3, Relaxes::all);
+  const FemResult a = test::checked_impact(viscoelastic_mesh(), long_term);
+  const FemResult b = viscoelastic_impact(0.5, 0.3e-3, Relaxes::all);
   EXPECT_NEAR(a.scalars.peak_force / b.scalars.peak_force, 1.0, 1e-9);
   EXPECT_NEAR(a.restitution_momentum, b.restitution_momentum, 1e-9);
 }
@@ -90,9 +90,9 @@ TEST(ViscoelasticImpact, BothModulusBasesGiveTheSameImpact) {
 TEST(ViscoelasticImpact, ElasticFormsAgreeAtSmallStrainAlone) {
   const auto off = [](double speed) {
     FemProblem problem = test::common_case(speed);
-    const FemResult a = test::checked_impact(mesh(), problem);
+    const FemResult a = test::checked_impact(viscoelastic_mesh(), problem);
     problem.material.elastic = ElasticModel::neo_hookean_isochoric;
-    const FemResult b = test::checked_impact(mesh(), problem);
+    const FemResult b = test::checked_impact(viscoelastic_mesh(), problem);
     return std::abs(b.scalars.peak_force / a.scalars.peak_force - 1.0);
   };
   EXPECT_LT(off(0.1), 5e-4);

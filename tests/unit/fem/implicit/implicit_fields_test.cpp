@@ -41,7 +41,7 @@ const Shown& shown() {
   return known;
 }
 
-double integral(const test::Vtu& frame, const std::string& density) {
+double integral_over_cells(const test::Vtu& frame, const std::string& density) {
   double sum = 0.0;
   for (std::size_t cell = 0; cell < frame.cells; ++cell)
     sum += frame.values("volume_at_rest_m3")[cell] * frame.values(density)[cell];
@@ -75,9 +75,9 @@ TEST(ImplicitFieldsTest, DensitiesSumUpToTheEnergyBalance) {
     for (std::size_t k = 0; k < shown().result.trace.time.size(); ++k) {
       if (std::abs(shown().result.trace.time[k] - frame.time) > 1e-12) continue;
       const EnergyBalance& balance = shown().result.energies[k];
-      EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), balance.stored, 1e-6 * brought);
+      EXPECT_NEAR(integral_over_cells(frame, "stored_energy_J_m3"), balance.stored, 1e-6 * brought);
       // Two sums over steps, by S:dE and by branches: apart to second order in the step.
-      EXPECT_NEAR(integral(frame, "dissipated_or_held_energy_J_m3"),
+      EXPECT_NEAR(integral_over_cells(frame, "dissipated_or_held_energy_J_m3"),
                   balance.held + balance.dissipated, 2e-4 * brought);
       ++compared;
     }

@@ -5,14 +5,10 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include "fem/materials/with_elastic.hpp"
-#include "tests/support/fem_cases.hpp"
+#include "tests/unit/fem/materials/deformation_states.hpp"
 
 namespace rebound::fem {
 namespace {
-
-using State = Gradient<double>;
-
-const Moduli moduli = Moduli::from_youngs(2.8, 0.4);
 
 State random_state(test::Random& random) {
   for (;;) {

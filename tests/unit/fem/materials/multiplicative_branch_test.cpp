@@ -25,7 +25,7 @@ BranchFlow flow_of(double step_over_time, double rate_exponent = 1.0, double ref
 }
 
 /// A multiplicative branch along a path of deformation gradients.
-struct Branch {
+struct FollowedBranch {
   Moduli m;
   BranchFlow flow;
   Stress inverse_viscous{1, 1, 1, 0};
@@ -65,7 +65,7 @@ class Path {
 
 TEST(MultiplicativeBranch, RestIsFreeOfStress) {
   for (const double exponent : {1.0, 0.2, 1.5}) {
-    Branch branch{moduli, flow_of(0.01, exponent)};
+    FollowedBranch branch{moduli, flow_of(0.01, exponent)};
     for (int i = 0; i < 3; ++i) {
       const auto point = branch.to(rest);
       EXPECT_LT(std::abs(point.stress.rr) + std::abs(point.stress.tt), 1e-15);
@@ -112,7 +112,7 @@ TEST(MultiplicativeBranch, WorkIsEnergyAndDissipation) {
     const Moduli m = trial % 2 == 0 ? moduli : Moduli{moduli.shear, 0.0};
     const double relaxation_time = std::pow(10.0, random());
     const auto error = [&](int steps) {
-      Branch branch{m, flow_of(1.0 / (steps * relaxation_time), exponent)};
+      FollowedBranch branch{m, flow_of(1.0 / (steps * relaxation_time), exponent)};
       double work = 0.0, dissipated = 0.0, energy = 0.0;
       State before = rest, stress_before{};
       for (int n = 0; n <= steps; ++n) {
@@ -141,7 +141,7 @@ TEST(MultiplicativeBranch, SmallStrainIsTheConvolution) {
   constexpr int steps = 400;
   const double x = 1.0 / steps;  // Δt/τ, so that t/τ = 1 at the end
   for (const double size : {1e-5, 1e-6}) {
-    Branch branch{moduli, flow_of(x)};
+    FollowedBranch branch{moduli, flow_of(x)};
     BranchPoint<double> point;
     for (int n = 0; n <= steps; ++n) point = branch.to(moved(rest, size * n * x, h));
     const double q = size * (1.0 - std::exp(-1.0));
@@ -160,7 +160,7 @@ TEST(MultiplicativeBranch, SecondOrderInTheStep) {
   const Path path(random, 0.2);
   for (const double exponent : {1.0, 0.4}) {
     const auto end = [&](int steps) {
-      Branch branch{moduli, flow_of(3.0 / steps, exponent)};
+      FollowedBranch branch{moduli, flow_of(3.0 / steps, exponent)};
       double value = 0.0;
       for (int n = 0; n <= steps; ++n) value = branch.to(path.at(0.7 * n / steps)).stress.zz;
       return value;
@@ -178,7 +178,7 @@ TEST(MultiplicativeBranch, SteadyFlowIsAPowerOfTheRate) {
     for (const double rate : {0.01, 0.05}) {
       constexpr int steps = 20000;
       const double step = 0.4 / rate / steps;
-      Branch branch{{moduli.shear, 0.0}, flow_of(step / time, m, q0)};
+      FollowedBranch branch{{moduli.shear, 0.0}, flow_of(step / time, m, q0)};
       BranchPoint<double> point;
       for (int n = 0; n <= steps; ++n) {
         const double stretch = std::exp(rate * step * n), side = 1.0 / std::sqrt(stretch);
@@ -200,7 +200,7 @@ TEST(MultiplicativeBranch, BelowItsYieldNothingFlows) {
   for (const double share : {1e-9, 0.9, 0.999, 1.001, 1.1, 3.0}) {
     const double stretch = std::exp(share * yield), side = 1.0 / std::sqrt(stretch);
     const State f{side, 0, 0, stretch, side};  // q is the axial strain
-    Branch skips{{moduli.shear, 0.0}, flow}, flows{{moduli.shear, 0.0}, always};
+    FollowedBranch skips{{moduli.shear, 0.0}, flow}, flows{{moduli.shear, 0.0}, always};
     const auto a = skips.to(f), b = flows.to(f);
     EXPECT_EQ(skips.inverse_viscous.zz == 1.0, share < 1.0) << share;
     EXPECT_NEAR(skips.inverse_viscous.zz, flows.inverse_viscous.zz, 1e-15) << share;
@@ -213,7 +213,7 @@ TEST(MultiplicativeBranch, StressTurnsWithTheBody) {
   test::Random random(64);
   const Path path(random, 0.3);
   const double c = std::cos(0.7), s = std::sin(0.7);
-  Branch straight{moduli, flow_of(0.05, 0.5)}, turned = straight;
+  FollowedBranch straight{moduli, flow_of(0.05, 0.5)}, turned = straight;
   for (int n = 0; n <= 100; ++n) {
     const State f = path.at(0.01 * n);
     const double c2 = std::cos(0.05 * n) * c, s2 = std::sin(0.05 * n) * s;

@@ -20,10 +20,13 @@
 namespace rebound::fem {
 namespace {
 
-using namespace field_tests;
+using field_tests::Shown;
+using field_tests::shown_impact;
+using field_tests::sphere_of_frames;
+using field_tests::underside;
 using test::common_case;
 
-double integral(const test::Vtu& frame, const std::string& density) {
+double integral_over_cells(const test::Vtu& frame, const std::string& density) {
   double sum = 0.0;
   for (std::size_t cell = 0; cell < frame.cells; ++cell)
     sum += frame.values("volume_at_rest_m3")[cell] * frame.values(density)[cell];
@@ -61,7 +64,7 @@ TEST_P(FieldsOfMaterials, DensitiesSumUpToTheEnergyBalance) {
   FemProblem problem = common_case(15);
   problem.material = GetParam().material;
   problem.controls.output_interval = 0.5e-6;  // shorter than a step: a sample in each
-  const Shown shown = shown_impact(sphere(), problem, 20);
+  const Shown shown = shown_impact(sphere_of_frames(), problem, 20);
   ASSERT_GE(shown.frames.size(), 12u);
   const double brought = 0.5 * 0.0896 * 15.0 * 15.0;
   for (const test::Vtu& frame : shown.frames) {
@@ -69,10 +72,10 @@ TEST_P(FieldsOfMaterials, DensitiesSumUpToTheEnergyBalance) {
     if (sample >= shown.result.energies.size()) continue;
     const EnergyBalance& balance = shown.result.energies[sample];
     // Sums of single precision.
-    EXPECT_NEAR(integral(frame, "stored_energy_J_m3"), balance.stored, 1e-7 * brought);
+    EXPECT_NEAR(integral_over_cells(frame, "stored_energy_J_m3"), balance.stored, 1e-7 * brought);
     // Work by S:dE and losses by kind, two sums over steps: apart to second order in the step.
-    const double lost =
-        integral(frame, GetParam().lost) + integral(frame, "energy_held_in_branches_J_m3");
+    const double lost = integral_over_cells(frame, GetParam().lost) +
+                        integral_over_cells(frame, "energy_held_in_branches_J_m3");
     EXPECT_NEAR(lost, balance.held + balance.dissipated, 3e-4 * brought);
   }
 }
@@ -88,7 +91,7 @@ TEST(FieldsOfAnImpact, NothingIsLostBelowZero) {
     if (loss_of(viscoelastic_constants(problem.material)) != Loss::dissipated) continue;
     ++materials_seen;
     double largest = 0.0, smallest = 0.0;
-    for (const test::Vtu& frame : shown_impact(sphere(), problem, 20).frames)
+    for (const test::Vtu& frame : shown_impact(sphere_of_frames(), problem, 20).frames)
       for (const double lost : frame.values(named.lost)) {
         largest = std::max(largest, lost);
         smallest = std::min(smallest, lost);
@@ -103,11 +106,11 @@ TEST(FieldsOfAnImpact, NothingIsLostBelowZero) {
 TEST(FieldsOfAnImpact, EveryArrayIsThereAtItsLength) {
   FemProblem problem = common_case(15);
   problem.material.branches = {{0.3, 0.3e-3, Relaxes::all}};
-  const Shown shown = shown_impact(sphere(), problem, 8);
+  const Shown shown = shown_impact(sphere_of_frames(), problem, 8);
   ASSERT_GE(shown.frames.size(), 6u);
   for (const test::Vtu& frame : shown.frames) {
-    ASSERT_EQ(frame.points, sphere().position.size());
-    ASSERT_EQ(frame.cells, sphere().cells.size());
+    ASSERT_EQ(frame.points, sphere_of_frames().position.size());
+    ASSERT_EQ(frame.cells, sphere_of_frames().cells.size());
     EXPECT_EQ(frame.values("connectivity").size(), 4 * frame.cells);
     for (const char* name : {"displacement_m", "velocity_m_s"}) {
       EXPECT_EQ(frame.arrays.at(name).components, 3u);
@@ -136,11 +139,11 @@ TEST(FieldsOfAnImpact, WatchingChangesNoBit) {
   for (const Named& named : materials()) {
     FemProblem problem = common_case(15);
     problem.material = named.material;
-    const FemResult alone = run_explicit_impact(sphere(), problem, {});
+    const FemResult alone = run_explicit_impact(sphere_of_frames(), problem, {});
     problem.controls.shape_frames = 10;
     problem.controls.field_frames = 7;
     problem.controls.field_directory = folder.path().string();
-    const FemResult observed = run_explicit_impact(sphere(), problem, {});
+    const FemResult observed = run_explicit_impact(sphere_of_frames(), problem, {});
     EXPECT_EQ(alone.trace.force, observed.trace.force) << named.name;
     EXPECT_EQ(alone.trace.deflection, observed.trace.deflection) << named.name;
     EXPECT_EQ(alone.closures.energy, observed.closures.energy) << named.name;
@@ -154,7 +157,7 @@ TEST(FieldsOfAnImpact, WatchingChangesNoBit) {
     }
     ASSERT_EQ(shapes.contact_pressure.size(), shapes.time.size());
     ASSERT_EQ(shapes.contact_pressure[0].size(), shapes.contact_vertices.size());
-    EXPECT_EQ(shapes.contact_vertices, underside(sphere()));
+    EXPECT_EQ(shapes.contact_vertices, underside(sphere_of_frames()));
   }
 }
 
@@ -166,8 +169,8 @@ TEST(FieldsOfAnImpact, AnInterruptedRunListsWhatThereIsAndNothingOlder) {
   problem.controls.field_frames = 40;
   problem.controls.field_directory = folder.path().string();
   int asked = 0;
-  const FemResult result =
-      run_explicit_impact(sphere(), problem, {.interrupted = [&] { return ++asked == 5; }});
+  const FemResult result = run_explicit_impact(sphere_of_frames(), problem,
+                                               {.interrupted = [&] { return ++asked == 5; }});
   EXPECT_EQ(result.incomplete_because, "interrupted");
   const auto list = test::read_pvd(folder.path() / "impact.pvd");
   ASSERT_GE(list.size(), 5u);
@@ -190,7 +193,7 @@ TEST(FieldsOfAnImpact, ADiskThatFailsEndsTheRun) {
                                    std::filesystem::remove_all(folder.path() / "fields");
                                  }};
   const Error error =
-      testing::refusal_of([&] { run_explicit_impact(sphere(), problem, pull_the_plug); });
+      testing::refusal_of([&] { run_explicit_impact(sphere_of_frames(), problem, pull_the_plug); });
   EXPECT_EQ(error.code(), ExitCode::input_output_failed);
   EXPECT_NE(error.location().file.find("frame-"), std::string::npos);
 }

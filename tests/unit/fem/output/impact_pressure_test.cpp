@@ -11,7 +11,10 @@
 namespace rebound::fem {
 namespace {
 
-using namespace field_tests;
+using field_tests::Shown;
+using field_tests::shown_impact;
+using field_tests::sphere_of_frames;
+using field_tests::underside;
 using test::common_case;
 
 /// ∫ p 2π r ds over the deformed underside, p and r linear between contact nodes.
@@ -39,7 +42,7 @@ TEST(PressureOfAnImpact, IntegratesToTheForceOfTheTrace) {
   FemProblem fast = common_case(15), sticky = common_case(0.5);
   sticky.adhesion.work = 20.0;  // [J/m²]: 4 N at touch, a seventh of the peak force
   for (const FemProblem& problem : {fast, sticky}) {
-    const Shown shown = shown_impact(sphere(), problem, 40);
+    const Shown shown = shown_impact(sphere_of_frames(), problem, 40);
     const Trace& trace = shown.result.trace;
     const double interval = trace.time[1] - trace.time[0], peak = shown.result.scalars.peak_force;
     int compared = 0;
@@ -51,7 +54,7 @@ TEST(PressureOfAnImpact, IntegratesToTheForceOfTheTrace) {
       if (at < 5 || at + 1 >= trace.force.size()) continue;
       const auto [least, most] =
           std::minmax_element(trace.force.begin() + at - 5, trace.force.begin() + at + 2);
-      const double force = contact_force(sphere(), frame);
+      const double force = contact_force(sphere_of_frames(), frame);
       EXPECT_GE(force, *least - 1e-3 * peak) << frame.time;
       EXPECT_LE(force, *most + 1e-3 * peak) << frame.time;
       least_force = std::min(least_force, force);

@@ -7,7 +7,7 @@
 namespace rebound::fem {
 namespace {
 
-const std::vector<std::array<double, 2>> rest = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}, {0.0, 2.0}};
+const std::vector<std::array<double, 2>> corners = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 2.0}, {0.0, 2.0}};
 
 ShapeHistory one_cell() {
   ShapeHistory shapes;
@@ -35,7 +35,7 @@ TEST(FrameClockTest, StartsAtRestAndGoesOnAtItsRate) {
 }
 
 TEST(ShapeRecorder, AddsDisplacementsAndKeepsFields) {
-  ShapeRecorder recorder(one_cell(), rest);
+  ShapeRecorder recorder(one_cell(), corners);
   const std::vector<double> none(8, 0.0), pressure = {7.0, 5.0, 0.0, 0.0};
   std::vector<double> moved = none, velocity = none;
   moved[3] = -0.25;  // vertex 1 moves down
@@ -55,9 +55,9 @@ TEST(ShapeRecorder, AddsDisplacementsAndKeepsFields) {
                      .loss = Loss::dissipated});
   const ShapeHistory& history = recorder.history();
   EXPECT_EQ(history.time, (std::vector<double>{0.0, 0.5}));
-  EXPECT_EQ(history.positions[0], rest);
+  EXPECT_EQ(history.positions[0], corners);
   EXPECT_EQ(history.positions[1][1], (std::array{1.0, -0.25}));
-  EXPECT_EQ(history.positions[1][2], rest[2]);
+  EXPECT_EQ(history.positions[1][2], corners[2]);
   EXPECT_EQ(history.contact_pressure[1], (std::vector<float>{7.0f, 5.0f}));
   ASSERT_EQ(history.fields.size(), 5u);
   const std::pair<ShapeQuantity, float> expected[] = {{ShapeQuantity::von_mises, 1.0f},
@@ -72,7 +72,7 @@ TEST(ShapeRecorder, AddsDisplacementsAndKeepsFields) {
 }
 
 TEST(ShapeRecorder, AnElasticBodyShowsNoLoss) {
-  ShapeRecorder recorder(one_cell(), rest);
+  ShapeRecorder recorder(one_cell(), corners);
   const std::vector<double> none(8, 0.0);
   const std::vector<CellState> cells(1);
   recorder.record({.displacement = none,

@@ -12,7 +12,7 @@
 
 namespace rebound::fem::field_tests {
 
-inline const Discretisation& sphere() {
+inline const Discretisation& sphere_of_frames() {
   static const Discretisation body =
       discretise(generate_sphere_mesh({.radius = 0.0331, .cells = 200}), 0.0896);
   return body;

@@ -24,7 +24,7 @@ class LawBattery : public testing::TestWithParam<std::string> {
   }
 };
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
+std::string name_without_hyphens(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
   std::erase(name, '-');
   return name;
@@ -237,7 +237,8 @@ TEST_P(LawBattery, SamplesSpanTheContact) {
     ASSERT_NEAR(result.trace.time[i] - result.trace.time[i - 1], step, 1e-12 * step * 400);
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryLaw, LawBattery, testing::ValuesIn(law_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(EveryLaw, LawBattery, testing::ValuesIn(law_names()),
+                         name_without_hyphens);
 
 }  // namespace
 }  // namespace rebound

@@ -23,7 +23,7 @@ namespace {
 using testing::refusal_of;
 using testing::two_cells_msh;
 
-const GmshModule& gmsh_of_test() {
+const GmshModule& gmsh_for_files() {
   return *rebound_gmsh_module(interface_stamp);
 }
 
@@ -39,7 +39,7 @@ Mesh two_cells() {
 class MshFile : public ::testing::Test {
  protected:
   Mesh read(const std::string& text, const std::string& name = "m.msh") const {
-    return gmsh_of_test().read(folder_.write(name, text).string(), 1000, {});
+    return gmsh_for_files().read(folder_.write(name, text).string(), 1000, {});
   }
   testing::TemporaryFolder folder_;
 };
@@ -53,8 +53,8 @@ void expect_same(const Mesh& read, const Mesh& mesh) {
 
 TEST_F(MshFile, WritingAndReadingKeepsEveryBitAndTheRegions) {
   const Mesh mesh = two_cells();
-  const std::string text = gmsh_of_test().msh(mesh);
-  EXPECT_EQ(text, gmsh_of_test().msh(mesh));
+  const std::string text = gmsh_for_files().msh(mesh);
+  EXPECT_EQ(text, gmsh_for_files().msh(mesh));
   const Mesh back = read(text);
   expect_same(back, mesh);
   ASSERT_EQ(back.regions.size(), 2u);
@@ -66,7 +66,7 @@ TEST_F(MshFile, ACellOfNoRegionStaysSo) {
   Mesh mesh = two_cells();
   mesh.regions = {-1, 0};
   mesh.region_names = {"core"};
-  const Mesh back = read(gmsh_of_test().msh(mesh));
+  const Mesh back = read(gmsh_for_files().msh(mesh));
   expect_same(back, mesh);
   EXPECT_EQ(back.regions, mesh.regions);
   EXPECT_EQ(back.region_names, mesh.region_names);
@@ -74,7 +74,7 @@ TEST_F(MshFile, ACellOfNoRegionStaysSo) {
 
 TEST_F(MshFile, ASphereKeepsEveryBit) {
   const Mesh mesh = generate_sphere_mesh({.radius = 0.0331, .cells = 300});
-  expect_same(read(gmsh_of_test().msh(mesh)), mesh);
+  expect_same(read(gmsh_for_files().msh(mesh)), mesh);
 }
 
 TEST_F(MshFile, NodesOfNoCellAreDropped) {
@@ -215,10 +215,10 @@ TEST_F(MshFile, WhatIsNoMeshIsRefused) {
 
 TEST_F(MshFile, AFileThatIsNotThereIsAReadingFailure) {
   const auto gone = (folder_.path() / "none.msh").string();
-  const Error error = refusal_of([&] { gmsh_of_test().read(gone, 1000, {}); });
+  const Error error = refusal_of([&] { gmsh_for_files().read(gone, 1000, {}); });
   EXPECT_EQ(error.code(), ExitCode::input_output_failed);
   EXPECT_EQ(error.location().file, gone);
-  EXPECT_EQ(refusal_of([&] { gmsh_of_test().read("/tmp/.msh/", 1, {}); }).code(),
+  EXPECT_EQ(refusal_of([&] { gmsh_for_files().read("/tmp/.msh/", 1, {}); }).code(),
             ExitCode::bad_input);
 }
 

@@ -12,19 +12,11 @@ namespace rebound {
 namespace {
 
 using testing::believed_law;
+using testing::diagnosis_of;
 using testing::experiment_with;
 
 Dataset null_data(std::int64_t seed) {
-  SynthesisFile file = experiment_with({}, seed);
-  return synthesize(file, simulator_of(file, {})).dataset;
-}
-
-Diagnosis diagnosis_of(const Dataset& dataset) {
-  DiagnosisRequest request;
-  request.datasets = {dataset};
-  request.believed = believed_law();
-  request.ask_fem = false;
-  return diagnose(request);
+  return testing::measured_data(experiment_with({}, seed));
 }
 
 bool names_physics(const Diagnosis& d) {

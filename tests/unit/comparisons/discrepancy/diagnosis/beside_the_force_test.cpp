@@ -14,10 +14,7 @@ namespace {
 
 using testing::believed_law;
 using testing::experiment_with;
-
-Dataset made(const SynthesisFile& file) {
-  return synthesize(file, simulator_of(file, {})).dataset;
-}
+using testing::measured_data;
 
 SynthesisFile with_deflections(std::int64_t seed) {
   SynthesisFile file = experiment_with({}, seed);
@@ -55,7 +52,7 @@ const Estimate& estimate_of(const HypothesisFit& fit, const std::string& name) {
 
 TEST(DeflectionRowsTest, AreAsFarFromTheTrueModelAsTheirNoise) {
   for (int seed = 1; seed <= 10; ++seed) {
-    const Observations seen = observe({made(with_deflections(seed))});
+    const Observations seen = observe({measured_data(with_deflections(seed))});
     const HypothesisFit fit = fit_hypothesis(seen, {.believed = believed_law()});
     const auto rows = static_cast<double>(rows_of(fit, ObservedQuantity::deflection));
     ASSERT_GT(rows, 100.0);
@@ -70,7 +67,7 @@ TEST(DeflectionRowsTest, TellTheGainAndTheDampingBetterThanForcesAlone) {
   for (int seed = 5; seed <= 7; ++seed) {
     SynthesisFile file = with_deflections(seed);
     file.instrument.deflection_gain_uncertainty = 0.001;
-    Dataset dataset = made(file);
+    Dataset dataset = measured_data(file);
     const Hypothesis believed{.believed = believed_law()};
     const Observations both = observe({dataset});
     const HypothesisFit with = fit_hypothesis(both, believed);
@@ -86,7 +83,7 @@ TEST(DeflectionRowsTest, TellTheGainAndTheDampingBetterThanForcesAlone) {
 TEST(DeflectionRowsTest, IntegratedOnesHoldNothingAndThatIsSaid) {
   SynthesisFile file = experiment_with({}, 5);
   file.instrument.deflection = DeflectionOrigin::integrated;
-  const Observations seen = observe({made(file)});
+  const Observations seen = observe({measured_data(file)});
   EXPECT_TRUE(warns(seen, "integrated from the force"));
   const HypothesisFit fit = fit_hypothesis(seen, {.believed = believed_law()});
   EXPECT_EQ(rows_of(fit, ObservedQuantity::deflection), 0u);
@@ -95,7 +92,7 @@ TEST(DeflectionRowsTest, IntegratedOnesHoldNothingAndThatIsSaid) {
 TEST(DeflectionRowsTest, NoiseThatTheScatterContradictsIsReplaced) {
   SynthesisFile file = with_deflections(6);
   file.sampling.before = 1e-3;
-  Dataset dataset = made(file);
+  Dataset dataset = measured_data(file);
   dataset.instrument.deflection_noise = 1e-4;
   const Observations seen = observe({dataset});
   EXPECT_TRUE(warns(seen, "deflections scatter by"));
@@ -110,7 +107,7 @@ TEST(DeflectionRowsTest, DataWithThemAgreeWhereNothingIsHidden) {
 }
 
 TEST(ScalarsBesideAHistoryTest, TakePartWhereAnInstrumentOfTheirOwnGaveThem) {
-  Dataset dataset = made(experiment_with({}, 7));
+  Dataset dataset = measured_data(experiment_with({}, 7));
   dataset.shots[0].peak_force = {.value = 700.0, .uncertainty = 10.0};
   dataset.shots[0].peak_deflection = {.value = 3e-3, .uncertainty = 1e-4};
   const auto takes_part = [&](Measured MeasuredImpact::*scalar) {
@@ -152,7 +149,7 @@ TEST(SlowCompressionTest, HoldsWhereTheLawHolds) {
   for (int platens : {1, 2})
     for (int seed = 1; seed <= 5; ++seed) {
       const SynthesisFile file = experiment_with({}, seed);
-      Dataset dataset = made(file);
+      Dataset dataset = measured_data(file);
       dataset.quasistatic = {slow_curve(file.lumped, 1.0, platens)};
       const Observations seen = observe({dataset});
       const HypothesisFit fit = fit_hypothesis(seen, {.believed = believed_law()});
@@ -167,7 +164,7 @@ TEST(SlowCompressionTest, HoldsWhereTheLawHolds) {
 TEST(SlowCompressionTest, ASofterBallIsComparedAndSpoilsNoFit) {
   for (int seed = 1; seed <= 5; ++seed) {
     const SynthesisFile file = experiment_with({}, seed);
-    Dataset dataset = made(file);
+    Dataset dataset = measured_data(file);
     const Hypothesis believed{.believed = believed_law()};
     const HypothesisFit alone = fit_hypothesis(observe({dataset}), believed);
     dataset.quasistatic = {slow_curve(file.lumped, 0.4, 2)};
@@ -192,7 +189,7 @@ TEST(SlowCompressionTest, SpeaksForMemoryWhereItIsWhatWasHidden) {
   for (int seed = 1; seed <= seeds; ++seed) {
     const SynthesisFile file =
         experiment_with({{"relaxation", 1.0, {{"relaxation_time", 3e-4}}}}, seed);
-    Dataset dataset = made(file);
+    Dataset dataset = measured_data(file);
     const auto lead = [&] {
       const Observations seen = observe({dataset});
       const auto criterion = [&](EffectChoice effect) {
@@ -211,7 +208,7 @@ TEST(SlowCompressionTest, SpeaksForMemoryWhereItIsWhatWasHidden) {
 
 TEST(SlowComparisonsTest, TheLawItselfIsOne) {
   const SynthesisFile file = experiment_with({}, 3);
-  Dataset dataset = made(file);
+  Dataset dataset = measured_data(file);
   Quasistatic stiffness{.platens = 2, .stiffness = {.value = 3.2e6 / std::pow(2.0, 1.5)}};
   dataset.quasistatic = {stiffness};
   const Observations seen = observe({dataset});
@@ -224,7 +221,7 @@ TEST(SlowComparisonsTest, TheLawItselfIsOne) {
 }
 
 TEST(SlowComparisonsTest, APlatenTooManyABlockAndPooledPeaksAreSaid) {
-  Dataset dataset = made(experiment_with({}, 3));
+  Dataset dataset = measured_data(experiment_with({}, 3));
   dataset.quasistatic = {{.platens = 1, .stiffness = {.value = 3.2e6 / std::pow(2.0, 1.5)}}};
   dataset.block_tests = {{.modulus = {.value = 1.94e6, .uncertainty = 1e5}}};
   dataset.pooled_peaks = {{.speed = 15.0, .force = 3.2e3, .deflection = 9e-3}};

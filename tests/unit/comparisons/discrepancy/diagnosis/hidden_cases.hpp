@@ -30,12 +30,22 @@ inline LumpedModel believed_law() {
   return model;
 }
 
-inline Diagnosis diagnose_hidden(const SynthesisFile& file, const SelectionRules& rules = {}) {
+/// What is measured on what the file describes.
+inline Dataset measured_data(const SynthesisFile& file) {
+  return synthesize(file, simulator_of(file, {})).dataset;
+}
+
+inline Diagnosis diagnosis_of(const Dataset& dataset, const LumpedModel& believed = believed_law(),
+                              const SelectionRules& rules = {}) {
   DiagnosisRequest request{.rules = rules};
-  request.datasets = {synthesize(file, simulator_of(file, {})).dataset};
-  request.believed = believed_law();
+  request.datasets = {dataset};
+  request.believed = believed;
   request.ask_fem = false;
   return diagnose(request);
+}
+
+inline Diagnosis diagnose_hidden(const SynthesisFile& file, const SelectionRules& rules = {}) {
+  return diagnosis_of(measured_data(file), believed_law(), rules);
 }
 
 }  // namespace rebound::testing

@@ -12,26 +12,16 @@ namespace rebound {
 namespace {
 
 using testing::believed_law;
+using testing::diagnosis_of;
 using testing::experiment_with;
-
-Dataset measured(const SynthesisFile& file) {
-  return synthesize(file, simulator_of(file, {})).dataset;
-}
-
-Diagnosis diagnosis_of(const Dataset& dataset, const LumpedModel& believed = believed_law()) {
-  DiagnosisRequest request;
-  request.datasets = {dataset};
-  request.believed = believed;
-  request.ask_fem = false;
-  return diagnose(request);
-}
+using testing::measured_data;
 
 /// Noise of the stated size whose neighbours are alike, and nothing else hidden.
 Dataset null_with_correlated_noise(double coefficient, std::int64_t seed) {
   SynthesisFile file = experiment_with({}, seed);
   file.instrument.force_noise = 1e-9;
   file.sampling.before = 1e-3;
-  Dataset dataset = measured(file);
+  Dataset dataset = measured_data(file);
   dataset.instrument.force_noise = 20.0;
   test::GaussianNoise normal(static_cast<std::uint64_t>(seed));
   for (MeasuredImpact& shot : dataset.shots) {
@@ -64,7 +54,7 @@ TEST(NotFooledTest, NoiseStatedWrongByTwoIsSeenAndSaid) {
   for (int seed = 0; seed < 20; ++seed) {
     SynthesisFile file = experiment_with({}, seed);
     file.sampling.before = 1e-3;
-    Dataset dataset = measured(file);
+    Dataset dataset = measured_data(file);
     dataset.instrument.force_noise = seed % 2 == 0 ? 10.0 : 40.0;
     const Diagnosis d = diagnosis_of(dataset);
     gaps += d.verdict != DiagnosisVerdict::agrees;
@@ -78,9 +68,9 @@ TEST(NotFooledTest, NoiseStatedWrongByTwoIsSeenAndSaid) {
 /// Nothing hidden, but readings of the slowest shot that are too high while the ball is loaded [N].
 Dataset lifted_while_loading(double lift, std::int64_t seed) {
   SynthesisFile file = experiment_with({}, seed);
-  Dataset dataset = measured(file);
+  Dataset dataset = measured_data(file);
   file.instrument.force_noise = 0.0;
-  const std::vector<double> force = measured(file).shots[0].trace.force;
+  const std::vector<double> force = measured_data(file).shots[0].trace.force;
   const auto top = std::max_element(force.begin(), force.end());
   for (auto f = force.begin(); f < top; ++f)
     if (*f > 0.25 * *top && *f < 0.85 * *top)
@@ -99,7 +89,7 @@ TEST(NotFooledTest, AGapInOnePhaseOfOneShotIsNoAgreement) {
 
 // A believed stiffness that is off by eight either way, and a damping by seventeen or six.
 TEST(NotFooledTest, TheStartDoesNotDecide) {
-  const Dataset dataset = measured(experiment_with({}, 21));
+  const Dataset dataset = measured_data(experiment_with({}, 21));
   const Diagnosis right = diagnosis_of(dataset);
   ASSERT_EQ(right.verdict, DiagnosisVerdict::agrees);
   for (const double stiffness : {0.125, 0.2, 8.0})
@@ -116,7 +106,7 @@ TEST(NotFooledTest, TheStartDoesNotDecide) {
 TEST(NotFooledTest, AWrongGainOfOneShotIsNeverAPhysicalName) {
   int named = 0;
   for (int seed = 0; seed < 10; ++seed) {
-    Dataset dataset = measured(experiment_with({}, 40 + seed));
+    Dataset dataset = measured_data(experiment_with({}, 40 + seed));
     for (double& force : dataset.shots[static_cast<std::size_t>(seed) % 3].trace.force)
       force *= 1.03;
     const Diagnosis d = diagnosis_of(dataset);
@@ -129,7 +119,7 @@ TEST(NotFooledTest, AWrongGainOfOneShotIsNeverAPhysicalName) {
 TEST(NotFooledTest, ExcludedSizesCoverTheTruth) {
   const EffectChoice hidden{"relaxation", 0.3, {{"relaxation_time", 30e-3}}};
   for (int seed = 0; seed < 5; ++seed) {
-    const Diagnosis d = diagnosis_of(measured(experiment_with({hidden}, 60 + seed)));
+    const Diagnosis d = diagnosis_of(measured_data(experiment_with({hidden}, 60 + seed)));
     for (const ExcludedSize& excluded : d.excluded) {
       if (excluded.name != "relaxation") continue;
       ASSERT_EQ(excluded.over.size(), 1u);
@@ -145,7 +135,7 @@ TEST(NotFooledTest, ThreeSpeedsMeasuredApartAreHeldOutTogether) {
                 {.speed = 14.96, .speed_uncertainty = 0.05},
                 {.speed = 14.97, .speed_uncertainty = 0.05},
                 {.speed = 25.0, .speed_uncertainty = 0.1}};
-  const Diagnosis d = diagnosis_of(measured(file));
+  const Diagnosis d = diagnosis_of(measured_data(file));
   EXPECT_EQ(d.unseen->shots.size(), 3u);
   EXPECT_EQ(d.seen->shots.size(), 2u);
 }

@@ -68,7 +68,7 @@ double fitted_restitution(const std::vector<double>& heights) {
 
 constexpr double mass = 0.5;
 
-double asked_zeta() {
+double zeta_for_three_quarters() {
   return -std::log(0.75) / std::hypot(pi, std::log(0.75));
 }
 
@@ -99,8 +99,9 @@ TEST(MujocoRecordTest, IsReproducedBounceByBounce) {
 TEST(MujocoRecordTest, MissesForNumbersThatAreNotPerMass) {
   const BounceModel model;
   const double zeta = model.damping / (2.0 * std::sqrt(model.stiffness));
-  EXPECT_NEAR(zeta / asked_zeta(), std::sqrt(mass), 1e-6);
-  EXPECT_NEAR(kelvin_voigt_restitution(asked_zeta(), SeparationRule::zero_deflection), 0.75, 1e-9);
+  EXPECT_NEAR(zeta / zeta_for_three_quarters(), std::sqrt(mass), 1e-6);
+  EXPECT_NEAR(kelvin_voigt_restitution(zeta_for_three_quarters(), SeparationRule::zero_deflection),
+              0.75, 1e-9);
   EXPECT_NEAR(kelvin_voigt_restitution(zeta, SeparationRule::zero_deflection) - 0.75, 0.0663, 5e-5);
   EXPECT_NEAR(kelvin_voigt_restitution(zeta, SeparationRule::zero_force) -
                   kelvin_voigt_restitution(zeta, SeparationRule::zero_deflection),

@@ -14,15 +14,15 @@ namespace {
 using testing::refusal_of;
 using testing::TemporaryFolder;
 
-const std::string head = R"(schema = 1
+const std::string laboratory_head = R"(schema = 1
 name = "ball"
 [sphere]
 mass = "100 g"
 diameter = "60 mm"
 )";
 
-Dataset read(const TemporaryFolder& folder, const std::string& rest) {
-  folder.write("dataset.toml", head + rest);
+Dataset read_laboratory(const TemporaryFolder& folder, const std::string& rest) {
+  folder.write("dataset.toml", laboratory_head + rest);
   return read_dataset(folder.path());
 }
 
@@ -45,7 +45,7 @@ TEST(TraceChannelsTest, ForceFromAccelerationWithItsBaselineOutAndCut) {
   const TemporaryFolder folder;
   folder.write("a.csv", accelerometer_file());
   const std::string shot = "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n";
-  const Dataset dataset = read(folder, R"([channels]
+  const Dataset dataset = read_laboratory(folder, R"([channels]
 time = "Zeit"
 acceleration = "a1"
 reversed = true
@@ -58,11 +58,13 @@ keep = "around-contact"
   EXPECT_NEAR(trace.force.front(), 0.0, 1e-3);
   EXPECT_NEAR(trace.force.back(), 0.0, 1e-3);
   EXPECT_NEAR(trace.time.back() - trace.time.front(), 8 * 1.87e-3, 0.2e-3);
-  const Error wrong_sign = refusal_of(
-      [&] { read(folder, "[channels]\ntime = \"Zeit\"\nacceleration = \"a1\"\n" + shot); });
+  const Error wrong_sign = refusal_of([&] {
+    read_laboratory(folder, "[channels]\ntime = \"Zeit\"\nacceleration = \"a1\"\n" + shot);
+  });
   EXPECT_EQ(wrong_sign.location().key, "channels.reversed");
   const Error wrong_unit = refusal_of([&] {
-    read(folder, "[channels]\ntime = \"Zeit\"\nforce = \"a1\"\nreversed = true\n" + shot);
+    read_laboratory(folder,
+                    "[channels]\ntime = \"Zeit\"\nforce = \"a1\"\nreversed = true\n" + shot);
   });
   EXPECT_NE(wrong_unit.location().file.find("a.csv"), std::string::npos);
   EXPECT_EQ(wrong_unit.location().key, "a1");
@@ -72,9 +74,9 @@ TEST(TraceChannelsTest, ABaselineNeedsSomethingBeforeContact) {
   const TemporaryFolder folder;
   folder.write("a.csv", "time_ms,force_kN\n0,0\n1,2\n2,3\n3,1\n");
   const std::string shot = "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n";
-  EXPECT_DOUBLE_EQ(read(folder, shot).shots[0].trace.force[2], 3000.0);
-  const Error error =
-      refusal_of([&] { read(folder, "[channels]\nbaseline = \"before-contact\"\n" + shot); });
+  EXPECT_DOUBLE_EQ(read_laboratory(folder, shot).shots[0].trace.force[2], 3000.0);
+  const Error error = refusal_of(
+      [&] { read_laboratory(folder, "[channels]\nbaseline = \"before-contact\"\n" + shot); });
   EXPECT_EQ(error.location().key, "channels.baseline");
   EXPECT_NE(error.location().file.find("a.csv"), std::string::npos);
 }
@@ -85,13 +87,13 @@ TEST(TraceChannelsTest, ARecordThatStartsOrEndsInContactIsNotReversed) {
   const std::string shot = "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n";
   for (const char* rows : {"0,90\n1,100\n2,50\n3,0\n4,0\n", "0,0\n1,0\n2,60\n3,100\n4,90\n"}) {
     folder.write("a.csv", std::string("time_ms,force_N\n") + rows);
-    EXPECT_EQ(read(folder, shot).shots[0].trace.force.size(), 5u);
+    EXPECT_EQ(read_laboratory(folder, shot).shots[0].trace.force.size(), 5u);
   }
 }
 
 TEST(ShotReadingsTest, SpeedAndRestitutionFromGatesHeightsAndTimes) {
   const TemporaryFolder folder;
-  const Dataset dataset = read(folder, R"(
+  const Dataset dataset = read_laboratory(folder, R"(
 [[shot]]
 gate_distance = "100 mm"
 gate_time = "20 ms"
@@ -127,7 +129,7 @@ next_flight_time = "0.6 s"
 // fit that weighed by it would see this shot alone.
 TEST(ShotReadingsTest, AnUncertaintyThatCancelsIsNone) {
   const TemporaryFolder folder;
-  const Dataset dataset = read(folder, R"(
+  const Dataset dataset = read_laboratory(folder, R"(
 [[shot]]
 gate_distance = "200 mm"
 gate_distance_uncertainty = "0.5 mm"
@@ -142,8 +144,9 @@ rebound_gate_time = "27 ms"
 TEST(ShotReadingsTest, AirRaisesTheRestitutionOfADrop) {
   const TemporaryFolder folder;
   const std::string shot = "[[shot]]\ndrop_height = \"2 m\"\nrebound_height = \"1 m\"\n";
-  const Dataset without = read(folder, shot);
-  const Dataset with = read(folder, "[air]\ndrag = \"corrected\"\ndrag_coefficient = 0.5\n" + shot);
+  const Dataset without = read_laboratory(folder, shot);
+  const Dataset with =
+      read_laboratory(folder, "[air]\ndrag = \"corrected\"\ndrag_coefficient = 0.5\n" + shot);
   EXPECT_GT(*with.shots[0].restitution.value, *without.shots[0].restitution.value);
   EXPECT_LT(with.shots[0].impact.speed, without.shots[0].impact.speed);
   EXPECT_NE(with.notes[0].find("is taken out"), std::string::npos);
@@ -161,32 +164,33 @@ restitution_relative_uncertainty = 0.04
 speed = "in_mph"
 rebound_speed = "out_mph"
 )";
-  const Dataset dataset = read(folder, table);
+  const Dataset dataset = read_laboratory(folder, table);
   ASSERT_EQ(dataset.shots.size(), 2u);
   EXPECT_DOUBLE_EQ(dataset.shots[1].impact.speed, 40 * 0.44704);
   EXPECT_NEAR(*dataset.shots[1].restitution.value, 0.45, 1e-12);
   EXPECT_NEAR(*dataset.shots[1].restitution.uncertainty, 0.018, 1e-12);
   folder.write("t.csv", "ball,in_mph,out_mph\n1,20,10\n1,30,32\n");
-  const Error faster = refusal_of([&] { read(folder, table); });
+  const Error faster = refusal_of([&] { read_laboratory(folder, table); });
   EXPECT_NE(faster.location().file.find("t.csv"), std::string::npos);
   EXPECT_EQ(faster.location().line, 3);
   folder.write("t.csv", "ball,in_mph,out_mph\n1,-20,10\n");
-  EXPECT_EQ(refusal_of([&] { read(folder, table); }).location().key, "in_mph");
+  EXPECT_EQ(refusal_of([&] { read_laboratory(folder, table); }).location().key, "in_mph");
   folder.write("t.csv", "ball,in_mph,out_mph\n7,20,10\n");
-  EXPECT_EQ(refusal_of([&] { read(folder, table); }).location().key, "shot_table[0].only");
+  EXPECT_EQ(refusal_of([&] { read_laboratory(folder, table); }).location().key,
+            "shot_table[0].only");
 }
 
-struct Refused {
+struct RefusedReading {
   const char* name;
   const char* text;
   const char* key;
 };
 
-class ReadingsRefused : public ::testing::TestWithParam<Refused> {};
+class ReadingsRefused : public ::testing::TestWithParam<RefusedReading> {};
 
 TEST_P(ReadingsRefused, WithTheKey) {
   const TemporaryFolder folder;
-  const Error error = refusal_of([&] { read(folder, GetParam().text); });
+  const Error error = refusal_of([&] { read_laboratory(folder, GetParam().text); });
   EXPECT_EQ(error.code(), ExitCode::bad_input);
   EXPECT_EQ(error.location().key, GetParam().key);
   EXPECT_GT(error.location().line, 0);
@@ -195,20 +199,22 @@ TEST_P(ReadingsRefused, WithTheKey) {
 INSTANTIATE_TEST_SUITE_P(
     Cases, ReadingsRefused,
     ::testing::Values(
-        Refused{"NoSpeed", "[[shot]]\nrestitution = 0.5\n", "shot[0].speed"},
-        Refused{"ReboundAlone", "[[shot]]\nrebound_height = \"1 m\"\n", "shot[0].speed"},
-        Refused{"FasterThanItCame", "[[shot]]\ndrop_height = \"1 m\"\nrebound_height = \"2 m\"\n",
-                "shot[0].restitution"},
-        Refused{"SpeedAgainstDrop", "[[shot]]\nspeed = \"9 m/s\"\ndrop_height = \"1 m\"\n",
-                "shot[0].speed"},
-        Refused{"UncertaintyAlone",
-                "[[shot]]\nspeed = \"9 m/s\"\nrestitution = 0.5\n"
-                "drop_height_uncertainty = \"1 mm\"\n",
-                "shot[0].drop_height_uncertainty"},
-        Refused{"ForceAndAcceleration",
-                "[channels]\nforce = \"F\"\nacceleration = \"a\"\n[[shot]]\nspeed = \"9 m/s\"\n"
-                "restitution = 0.5\n",
-                "channels.acceleration"}),
+        RefusedReading{"NoSpeed", "[[shot]]\nrestitution = 0.5\n", "shot[0].speed"},
+        RefusedReading{"ReboundAlone", "[[shot]]\nrebound_height = \"1 m\"\n", "shot[0].speed"},
+        RefusedReading{"FasterThanItCame",
+                       "[[shot]]\ndrop_height = \"1 m\"\nrebound_height = \"2 m\"\n",
+                       "shot[0].restitution"},
+        RefusedReading{"SpeedAgainstDrop", "[[shot]]\nspeed = \"9 m/s\"\ndrop_height = \"1 m\"\n",
+                       "shot[0].speed"},
+        RefusedReading{"UncertaintyAlone",
+                       "[[shot]]\nspeed = \"9 m/s\"\nrestitution = 0.5\n"
+                       "drop_height_uncertainty = \"1 mm\"\n",
+                       "shot[0].drop_height_uncertainty"},
+        RefusedReading{
+            "ForceAndAcceleration",
+            "[channels]\nforce = \"F\"\nacceleration = \"a\"\n[[shot]]\nspeed = \"9 m/s\"\n"
+            "restitution = 0.5\n",
+            "channels.acceleration"}),
     [](const auto& c) { return std::string(c.param.name); });
 
 }  // namespace

@@ -19,7 +19,7 @@ diameter = "66.2 mm"
 mass_uncertainty = "0.4 g"
 )";
 
-Dataset read(const TemporaryFolder& folder, const std::string& rest) {
+Dataset read_with_head(const TemporaryFolder& folder, const std::string& rest) {
   folder.write("dataset.toml", head + rest);
   return read_dataset(folder.path());
 }
@@ -28,7 +28,7 @@ TEST(ReadDatasetTest, ReadsTheContractsExample) {
   const TemporaryFolder folder;
   folder.write("shot-05.csv", "time_s,force_N\n0,0\n0.001,700\n0.002,0\n");
   folder.write("compression.csv", "deflection_m,force_N\n0,0\n0.001,10\n0.0005,4\n");
-  const Dataset dataset = read(folder, R"([instrument]
+  const Dataset dataset = read_with_head(folder, R"([instrument]
 force_noise = "10 N"
 force_gain_uncertainty = 0.03
 force_bandwidth = "20 kHz"
@@ -66,7 +66,7 @@ platens = 2
 
 TEST(ReadDatasetTest, WritingGivesTheSameDatasetBack) {
   const TemporaryFolder folder;
-  const Dataset dataset = read(folder, R"([[shot]]
+  const Dataset dataset = read_with_head(folder, R"([[shot]]
 speed = "5 m/s"
 peak_force = "750 N"
 mean_deflection = "1.93 mm"
@@ -88,7 +88,8 @@ deflection = "3 mm"
 TEST(ReadDatasetTest, TellsOfALeftOutLine) {
   const TemporaryFolder folder;
   folder.write("a.csv", "time_s,force_N\n0,0\n1,2\n2,3\n3,5");
-  const Dataset dataset = read(folder, "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n");
+  const Dataset dataset =
+      read_with_head(folder, "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"a.csv\"\n");
   EXPECT_EQ(dataset.shots[0].trace.time.size(), 3u);
   ASSERT_EQ(dataset.notes.size(), 1u);
   EXPECT_NE(dataset.notes[0].find("line 5"), std::string::npos);
@@ -102,26 +103,26 @@ TEST(ReadDatasetTest, TracesMayNotLeaveTheFolder) {
   for (const std::string& path :
        {target.string(), std::string("../a.csv"), std::string("link.csv")}) {
     const Error error = refusal_of(
-        [&] { read(folder, "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"" + path + "\"\n"); });
+        [&] { read_with_head(folder, "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"" + path + "\"\n"); });
     EXPECT_EQ(error.location().key, "shot[0].trace") << path;
     EXPECT_EQ(error.location().line, 9) << path;
     EXPECT_NE(std::string(error.what()).find("outside"), std::string::npos) << error.what();
   }
 }
 
-struct Refused {
+struct RefusedDataset {
   const char* name;
   const char* text;
   ExitCode code;
   const char* key;
 };
 
-class ReadDatasetRefuses : public ::testing::TestWithParam<Refused> {};
+class ReadDatasetRefuses : public ::testing::TestWithParam<RefusedDataset> {};
 
 TEST_P(ReadDatasetRefuses, WithItsKey) {
   const TemporaryFolder folder;
   folder.write("two.csv", "time_s,force_N\n0,0\n1,2\n");
-  const Error error = refusal_of([&] { read(folder, GetParam().text); });
+  const Error error = refusal_of([&] { read_with_head(folder, GetParam().text); });
   EXPECT_EQ(error.code(), GetParam().code);
   EXPECT_EQ(error.location().key, GetParam().key);
   EXPECT_FALSE(error.location().file.empty());
@@ -130,39 +131,42 @@ TEST_P(ReadDatasetRefuses, WithItsKey) {
 INSTANTIATE_TEST_SUITE_P(
     Cases, ReadDatasetRefuses,
     ::testing::Values(
-        Refused{"NothingInAShot", "[[shot]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input, "shot[0]"},
-        Refused{"UncertaintyAlone",
-                "[[shot]]\nspeed = \"5 m/s\"\ncontact_time = \"1 ms\"\n"
-                "restitution_uncertainty = 0.1\n",
-                ExitCode::bad_input, "shot[0].restitution_uncertainty"},
-        Refused{"Restitution", "[[shot]]\nspeed = \"5 m/s\"\nrestitution = 1.5\n",
-                ExitCode::bad_input, "shot[0].restitution"},
-        Refused{"Speed", "[[shot]]\nspeed = \"-5 m/s\"\nrestitution = 0.5\n", ExitCode::bad_input,
-                "shot[0].speed"},
-        Refused{
+        RefusedDataset{"NothingInAShot", "[[shot]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input,
+                       "shot[0]"},
+        RefusedDataset{"UncertaintyAlone",
+                       "[[shot]]\nspeed = \"5 m/s\"\ncontact_time = \"1 ms\"\n"
+                       "restitution_uncertainty = 0.1\n",
+                       ExitCode::bad_input, "shot[0].restitution_uncertainty"},
+        RefusedDataset{"Restitution", "[[shot]]\nspeed = \"5 m/s\"\nrestitution = 1.5\n",
+                       ExitCode::bad_input, "shot[0].restitution"},
+        RefusedDataset{"Speed", "[[shot]]\nspeed = \"-5 m/s\"\nrestitution = 0.5\n",
+                       ExitCode::bad_input, "shot[0].speed"},
+        RefusedDataset{
             "ErrorBeyondAnyInstrument",
             "[[shot]]\nspeed = \"5 m/s\"\nspeed_uncertainty = \"1e308 m/s\"\nrestitution = 0.5\n",
             ExitCode::bad_input, "shot[0].speed_uncertainty"},
-        Refused{"NoFile", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"none.csv\"\n",
-                ExitCode::input_output_failed, "shot[0].trace"},
-        Refused{"TwoSamples", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"two.csv\"\n",
-                ExitCode::bad_input, ""},
-        Refused{"Platens", "[[quasistatic]]\nplatens = 3\nstiffness = \"1 N/m^1.5\"\n",
-                ExitCode::bad_input, "quasistatic[0].platens"},
-        Refused{"NothingInATest", "[[quasistatic]]\nplatens = 2\n", ExitCode::bad_input,
-                "quasistatic[0]"},
-        Refused{"NoSuchScalar",
-                "[instrument]\nindependent_scalars = [\"peak\"]\n[[shot]]\nspeed = \"5 m/s\"\n"
-                "restitution = 0.5\n",
-                ExitCode::bad_input, "instrument.independent_scalars"},
-        Refused{"DeflectionNoise",
-                "[instrument]\ndeflection_noise = \"0 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
-                "restitution = 0.5\n",
-                ExitCode::bad_input, "instrument.deflection_noise"},
-        Refused{"Duration",
-                "[[quasistatic]]\nplatens = 2\nstiffness = \"1 N/m^1.5\"\nduration = \"0 s\"\n",
-                ExitCode::bad_input, "quasistatic[0].duration"},
-        Refused{"Typo", "[[shots]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input, "shots"}),
+        RefusedDataset{"NoFile", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"none.csv\"\n",
+                       ExitCode::input_output_failed, "shot[0].trace"},
+        RefusedDataset{"TwoSamples", "[[shot]]\nspeed = \"5 m/s\"\ntrace = \"two.csv\"\n",
+                       ExitCode::bad_input, ""},
+        RefusedDataset{"Platens", "[[quasistatic]]\nplatens = 3\nstiffness = \"1 N/m^1.5\"\n",
+                       ExitCode::bad_input, "quasistatic[0].platens"},
+        RefusedDataset{"NothingInATest", "[[quasistatic]]\nplatens = 2\n", ExitCode::bad_input,
+                       "quasistatic[0]"},
+        RefusedDataset{
+            "NoSuchScalar",
+            "[instrument]\nindependent_scalars = [\"peak\"]\n[[shot]]\nspeed = \"5 m/s\"\n"
+            "restitution = 0.5\n",
+            ExitCode::bad_input, "instrument.independent_scalars"},
+        RefusedDataset{"DeflectionNoise",
+                       "[instrument]\ndeflection_noise = \"0 mm\"\n[[shot]]\nspeed = \"5 m/s\"\n"
+                       "restitution = 0.5\n",
+                       ExitCode::bad_input, "instrument.deflection_noise"},
+        RefusedDataset{
+            "Duration",
+            "[[quasistatic]]\nplatens = 2\nstiffness = \"1 N/m^1.5\"\nduration = \"0 s\"\n",
+            ExitCode::bad_input, "quasistatic[0].duration"},
+        RefusedDataset{"Typo", "[[shots]]\nspeed = \"5 m/s\"\n", ExitCode::bad_input, "shots"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace rebound {
 namespace {
 
 /// Rows of a record of `length` with one swing of five rows at `place`, read through a window.
-LaboratoryTable read(std::size_t length, std::size_t place, const KeptRows& kept,
-                     bool last_line_ends = true) {
+LaboratoryTable read_window(std::size_t length, std::size_t place, const KeptRows& kept,
+                            bool last_line_ends = true) {
   testing::TemporaryFolder folder;
   const auto file = folder.path() / "record.csv";
   {
@@ -33,7 +33,7 @@ LaboratoryTable read(std::size_t length, std::size_t place, const KeptRows& kept
 TEST(RowWindowTest, KeepsTheRowsAroundTheLargestSwing) {
   const KeptRows kept{.column = 1, .before = 20, .after = 10};
   for (const std::size_t place : {0u, 3u, 19u, 20u, 50u, 100u, 480u, 495u}) {
-    const LaboratoryTable table = read(500, place, kept);
+    const LaboratoryTable table = read_window(500, place, kept);
     const std::size_t peak = place + 2;
     const std::size_t first = peak > 20 ? peak - 20 : 0,
                       last = std::min<std::size_t>(499, peak + 10);
@@ -48,7 +48,7 @@ TEST(RowWindowTest, KeepsTheRowsAroundTheLargestSwing) {
 }
 
 TEST(RowWindowTest, AShortTableStaysAsItIs) {
-  const LaboratoryTable table = read(30, 10, {.column = 1, .before = 100, .after = 100});
+  const LaboratoryTable table = read_window(30, 10, {.column = 1, .before = 100, .after = 100});
   EXPECT_EQ(table.columns[0].numbers.size(), 30u);
   EXPECT_EQ(table.rows_read, 30u);
 }
@@ -56,8 +56,8 @@ TEST(RowWindowTest, AShortTableStaysAsItIs) {
 // A last row that may be cut off is left out of what is kept, and only there.
 TEST(RowWindowTest, ARowThatMayBeCutOff) {
   const KeptRows kept{.column = 1, .before = 20, .after = 10};
-  EXPECT_EQ(read(100, 93, kept, false).columns[0].numbers.back(), 98.0);
-  EXPECT_EQ(read(100, 40, kept, false).columns[0].numbers.back(), 52.0);
+  EXPECT_EQ(read_window(100, 93, kept, false).columns[0].numbers.back(), 98.0);
+  EXPECT_EQ(read_window(100, 40, kept, false).columns[0].numbers.back(), 52.0);
 }
 
 }  // namespace

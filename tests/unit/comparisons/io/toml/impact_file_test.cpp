@@ -126,7 +126,7 @@ TEST(ImpactFileTest, TheSoftestRealCoreAtTheHighestSpeedIsAccepted) {
   EXPECT_NO_THROW(fem(text));
 }
 
-struct Refused {
+struct RefusedImpact {
   const char* name;
   const char* from;
   const char* to;
@@ -134,10 +134,10 @@ struct Refused {
   const char* part;  ///< of the message or of what is allowed
 };
 
-class FemFileRefuses : public ::testing::TestWithParam<Refused> {};
+class FemFileRefuses : public ::testing::TestWithParam<RefusedImpact> {};
 
 TEST_P(FemFileRefuses, WithKeyAndReason) {
-  const Refused& c = GetParam();
+  const RefusedImpact& c = GetParam();
   const Error error = refusal_of([&] { fem(replaced(head + material, c.from, c.to)); });
   EXPECT_EQ(error.code(), ExitCode::bad_input);
   EXPECT_EQ(error.location().key, c.key);
@@ -152,44 +152,46 @@ constexpr const char* nu_key = "model.material.poisson_ratio";
 INSTANTIATE_TEST_SUITE_P(
     Cases, FemFileRefuses,
     ::testing::Values(
-        Refused{"Half", nu, "poisson_ratio = 0.5\n", nu_key, "-1 < value <= 0.499"},
-        Refused{"MinusOne", nu, "poisson_ratio = -1.0\n", nu_key, "-1 < value <= 0.499"},
-        Refused{"Incompressible", nu, "poisson_ratio = 0.4995\n", nu_key, "incompressible"},
-        Refused{"Modulus", "10 MPa", "10 Pa", "impact.speed", "shear wave speed"},
-        Refused{"Speed", "15 m/s", "999 m/s", "impact.speed", "shear wave speed"},
-        Refused{"Elastic", "\"neo-hookean\"", "\"ogden\"", "model.material.term",
-                "this key is missing"},
-        Refused{"Relaxation", nu, "poisson_ratio = 0.4\nrelaxation = \"split\"\n",
-                "model.material.relaxation", "multiplicative"},
-        Refused{"Scheme", "tier = \"fem\"\n", "tier = \"fem\"\nscheme = \"leap\"\n", "model.scheme",
-                "implicit"},
-        Refused{"ImplicitMovingPlate", "tier = \"fem\"\n",
-                "tier = \"fem\"\nscheme = \"implicit\"\nplate = {stiffness = \"50 MN/m\"}\n"
-                "adhesion = {work = \"1 J/m^2\"}\n",
-                "model.adhesion.work", "implicit scheme"},
-        Refused{"Plate", nu, "poisson_ratio = 0.4\n[model.plate]\nfriction = -0.3\n",
-                "model.plate.friction", ""},
-        Refused{"PlateMass", nu, "poisson_ratio = 0.4\n[model.plate]\nmass = \"2 kg\"\n",
-                "model.plate.mass", "stiffness"},
-        Refused{"Effect", nu, "poisson_ratio = 0.4\n[[model.effect]]\nname = \"x\"\nsize = 1\n",
-                "model.effect[0].name", "permanent-set"},
-        Refused{"EffectForm", nu,
-                "poisson_ratio = 0.4\n[[model.effect]]\nname = \"force-exponent\"\nsize = 0.1\n",
-                "model.effect[0].name", "no form in the FE tier"},
-        Refused{"Separation", "speed = \"15 m/s\"\n",
-                "speed = \"15 m/s\"\nseparation = \"zero-deflection\"\n", "impact.separation",
-                "zero-force"},
-        Refused{"Time", nu,
-                "poisson_ratio = 0.4\n[[model.material.branch]]\nratio = 0.3\n"
-                "relaxation_time = \"0 s\"\n",
-                "model.material.branch[0].relaxation_time", "value > 0 ms"},
-        Refused{"Shares", nu,
-                "poisson_ratio = 0.4\n[[model.material.branch]]\nratio = 0.6\n"
-                "relaxation_time = \"1 ms\"\n[[model.material.branch]]\nratio = 0.4\n"
-                "relaxation_time = \"2 ms\"\n",
-                "model.material.branch[1].ratio", "sum below 1"},
-        Refused{"TwoMeshes", "tier = \"fem\"\n", "tier = \"fem\"\ncells = 50\nmesh = \"a.msh\"\n",
-                "model.cells", "mesh"}),
+        RefusedImpact{"Half", nu, "poisson_ratio = 0.5\n", nu_key, "-1 < value <= 0.499"},
+        RefusedImpact{"MinusOne", nu, "poisson_ratio = -1.0\n", nu_key, "-1 < value <= 0.499"},
+        RefusedImpact{"Incompressible", nu, "poisson_ratio = 0.4995\n", nu_key, "incompressible"},
+        RefusedImpact{"Modulus", "10 MPa", "10 Pa", "impact.speed", "shear wave speed"},
+        RefusedImpact{"Speed", "15 m/s", "999 m/s", "impact.speed", "shear wave speed"},
+        RefusedImpact{"Elastic", "\"neo-hookean\"", "\"ogden\"", "model.material.term",
+                      "this key is missing"},
+        RefusedImpact{"Relaxation", nu, "poisson_ratio = 0.4\nrelaxation = \"split\"\n",
+                      "model.material.relaxation", "multiplicative"},
+        RefusedImpact{"Scheme", "tier = \"fem\"\n", "tier = \"fem\"\nscheme = \"leap\"\n",
+                      "model.scheme", "implicit"},
+        RefusedImpact{"ImplicitMovingPlate", "tier = \"fem\"\n",
+                      "tier = \"fem\"\nscheme = \"implicit\"\nplate = {stiffness = \"50 MN/m\"}\n"
+                      "adhesion = {work = \"1 J/m^2\"}\n",
+                      "model.adhesion.work", "implicit scheme"},
+        RefusedImpact{"Plate", nu, "poisson_ratio = 0.4\n[model.plate]\nfriction = -0.3\n",
+                      "model.plate.friction", ""},
+        RefusedImpact{"PlateMass", nu, "poisson_ratio = 0.4\n[model.plate]\nmass = \"2 kg\"\n",
+                      "model.plate.mass", "stiffness"},
+        RefusedImpact{"Effect", nu,
+                      "poisson_ratio = 0.4\n[[model.effect]]\nname = \"x\"\nsize = 1\n",
+                      "model.effect[0].name", "permanent-set"},
+        RefusedImpact{
+            "EffectForm", nu,
+            "poisson_ratio = 0.4\n[[model.effect]]\nname = \"force-exponent\"\nsize = 0.1\n",
+            "model.effect[0].name", "no form in the FE tier"},
+        RefusedImpact{"Separation", "speed = \"15 m/s\"\n",
+                      "speed = \"15 m/s\"\nseparation = \"zero-deflection\"\n", "impact.separation",
+                      "zero-force"},
+        RefusedImpact{"Time", nu,
+                      "poisson_ratio = 0.4\n[[model.material.branch]]\nratio = 0.3\n"
+                      "relaxation_time = \"0 s\"\n",
+                      "model.material.branch[0].relaxation_time", "value > 0 ms"},
+        RefusedImpact{"Shares", nu,
+                      "poisson_ratio = 0.4\n[[model.material.branch]]\nratio = 0.6\n"
+                      "relaxation_time = \"1 ms\"\n[[model.material.branch]]\nratio = 0.4\n"
+                      "relaxation_time = \"2 ms\"\n",
+                      "model.material.branch[1].ratio", "sum below 1"},
+        RefusedImpact{"TwoMeshes", "tier = \"fem\"\n",
+                      "tier = \"fem\"\ncells = 50\nmesh = \"a.msh\"\n", "model.cells", "mesh"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(ImpactFileTest, RatiosToALongTermModulusMayExceedOne) {

@@ -114,7 +114,7 @@ TEST(ReaderTest, AbsentOptionalMembersKeepTheirDefaults) {
   EXPECT_EQ(all.colour, Colour::red);
 }
 
-struct Refused {
+struct RefusedLine {
   const char* name;
   const char* text;  ///< what stands in line 2
   const char* key;
@@ -122,10 +122,10 @@ struct Refused {
   const char* message;
 };
 
-class ReaderRefuses : public ::testing::TestWithParam<Refused> {};
+class ReaderRefuses : public ::testing::TestWithParam<RefusedLine> {};
 
 TEST_P(ReaderRefuses, WithFileLineKeyAndValue) {
-  const Refused& c = GetParam();
+  const RefusedLine& c = GetParam();
   const std::string first = std::string(c.text).starts_with("length") ? "" : "length = \"5 mm\"";
   const Error error = refusal_of([&] { read(first + "\n" + c.text + "\n"); });
   EXPECT_EQ(error.code(), ExitCode::bad_input);
@@ -139,24 +139,24 @@ TEST_P(ReaderRefuses, WithFileLineKeyAndValue) {
 INSTANTIATE_TEST_SUITE_P(
     Cases, ReaderRefuses,
     ::testing::Values(
-        Refused{"Negative", "length = \"-1 mm\"", "length", "\"-1 mm\"", "out of range"},
-        Refused{"Zero", "length = \"0 mm\"", "length", "\"0 mm\"", "out of range"},
-        Refused{"TooLarge", "length = \"2 m\"", "length", "\"2 m\"", "out of range"},
-        Refused{"Bare", "length = 5", "length", "5", "with its unit"},
-        Refused{"NotFinite", "length = nan", "length", "nan", "finite"},
-        Refused{"Dimension", "length = \"5 ms\"", "length", "\"5 ms\"", "not a multiple of m"},
-        Refused{"Comma", "length = \"1,5 mm\"", "length", "\"1,5 mm\"", "comma"},
-        Refused{"Typo", "conut = 3", "conut", "3", "did you mean \"count\""},
-        Refused{"Fraction", "count = 3.5", "count", "3.5", "whole number"},
-        Refused{"Count", "count = 11", "count", "11", "out of range"},
-        Refused{"Flag", "enabled = 1", "enabled", "1", "true or false"},
-        Refused{"Choice", "colour = \"gren\"", "colour", "\"gren\"", "did you mean \"green\""},
-        Refused{"Later", "colour = \"blue\"", "colour", "\"blue\"", "not available"},
-        Refused{"Future", "future = 1", "future", "1", "not available"},
-        Refused{"Scalar", "speeds = \"5 m/s\"", "speeds", "\"5 m/s\"", "a list"},
-        Refused{"Element", "speeds = [\"5 m/s\", 6]", "speeds", "6", "with its unit"},
-        Refused{"NoTable", "part = 3", "part", "3", "a table [part]"},
-        Refused{"NoList", "parts = [1]", "parts", "[1]", "tables [[parts]]"}),
+        RefusedLine{"Negative", "length = \"-1 mm\"", "length", "\"-1 mm\"", "out of range"},
+        RefusedLine{"Zero", "length = \"0 mm\"", "length", "\"0 mm\"", "out of range"},
+        RefusedLine{"TooLarge", "length = \"2 m\"", "length", "\"2 m\"", "out of range"},
+        RefusedLine{"Bare", "length = 5", "length", "5", "with its unit"},
+        RefusedLine{"NotFinite", "length = nan", "length", "nan", "finite"},
+        RefusedLine{"Dimension", "length = \"5 ms\"", "length", "\"5 ms\"", "not a multiple of m"},
+        RefusedLine{"Comma", "length = \"1,5 mm\"", "length", "\"1,5 mm\"", "comma"},
+        RefusedLine{"Typo", "conut = 3", "conut", "3", "did you mean \"count\""},
+        RefusedLine{"Fraction", "count = 3.5", "count", "3.5", "whole number"},
+        RefusedLine{"Count", "count = 11", "count", "11", "out of range"},
+        RefusedLine{"Flag", "enabled = 1", "enabled", "1", "true or false"},
+        RefusedLine{"Choice", "colour = \"gren\"", "colour", "\"gren\"", "did you mean \"green\""},
+        RefusedLine{"Later", "colour = \"blue\"", "colour", "\"blue\"", "not available"},
+        RefusedLine{"Future", "future = 1", "future", "1", "not available"},
+        RefusedLine{"Scalar", "speeds = \"5 m/s\"", "speeds", "\"5 m/s\"", "a list"},
+        RefusedLine{"Element", "speeds = [\"5 m/s\", 6]", "speeds", "6", "with its unit"},
+        RefusedLine{"NoTable", "part = 3", "part", "3", "a table [part]"},
+        RefusedLine{"NoList", "parts = [1]", "parts", "[1]", "tables [[parts]]"}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(ReaderTest, KeyPathsReachIntoLists) {

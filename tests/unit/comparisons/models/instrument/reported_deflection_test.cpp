@@ -10,10 +10,10 @@
 namespace rebound {
 namespace {
 
-constexpr double pulse = 2e-3, largest = 5e-3;
+constexpr double pulse_duration = 2e-3, largest = 5e-3;
 
 double deflection(double t) {
-  return largest * std::sin(std::numbers::pi * t / pulse);
+  return largest * std::sin(std::numbers::pi * t / pulse_duration);
 }
 
 Trace spring_contact() {
@@ -30,8 +30,8 @@ TEST(ReportedDeflectionTest, IdealChainChangesNothing) {
   const Trace contact = spring_contact();
   EXPECT_EQ(reported_deflection(contact, {}, contact.time), contact.deflection);
   // A ball in free flight before and after, as fast as the trace ends.
-  const std::vector<double> outside{-1e-4, pulse + 1e-4};
-  const double flown = largest * std::numbers::pi / pulse * 1e-4;
+  const std::vector<double> outside{-1e-4, pulse_duration + 1e-4};
+  const double flown = largest * std::numbers::pi / pulse_duration * 1e-4;
   for (const double x : reported_deflection(contact, {}, outside))
     EXPECT_NEAR(x, -flown, 1e-3 * flown);
 }

@@ -1,5 +1,4 @@
 #include "comparisons/studies/reproduce/findings.hpp"
-#include "comparisons/models/installation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,19 +6,18 @@
 
 #include "comparisons/studies/reproduce/reproduction.hpp"
 #include "comparisons/studies/reproduce/wording.hpp"
+#include "tests/unit/comparisons/studies/reproduce/whole_reproduction.hpp"
 
 namespace rebound {
 namespace {
 
-const Reproduction& whole() {
-  static const Reproduction made = reproduce(data_folder());
-  return made;
-}
+using testing::whole_reproduction;
 
 const Finding& finding(const std::string& id) {
-  const auto found = std::find_if(whole().findings.begin(), whole().findings.end(),
-                                  [&](const Finding& item) { return item.id == id; });
-  if (found == whole().findings.end()) throw std::logic_error("no finding " + id);
+  const auto found =
+      std::find_if(whole_reproduction().findings.begin(), whole_reproduction().findings.end(),
+                   [&](const Finding& item) { return item.id == id; });
+  if (found == whole_reproduction().findings.end()) throw std::logic_error("no finding " + id);
   return *found;
 }
 
@@ -58,7 +56,7 @@ TEST(FindingsTest, ContactTimeAndLossOverSpeed) {
 TEST(FindingsTest, TheOutlyingMeanDeflection) {
   EXPECT_TRUE(says(finding("mean-deflection-core-D-5").statement, "2.40 mm"));
   const auto outliers = std::count_if(
-      whole().findings.begin(), whole().findings.end(),
+      whole_reproduction().findings.begin(), whole_reproduction().findings.end(),
       [](const Finding& item) { return item.id.starts_with("mean-deflection-core-"); });
   EXPECT_EQ(outliers, 1);
 }
@@ -85,8 +83,10 @@ TEST(FindingsTest, OneMassRepairsEachCoreOfTableFive) {
     EXPECT_NO_THROW(finding(std::string("table-5-core-") + core + "-mass"));
   EXPECT_NO_THROW(finding("table-5-no-single-repair"));
   const Paper changed =
-      with_repaired_masses({whole().paper, whole().runs, whole().rows, whole().searches});
-  EXPECT_EQ(changed.cores[0].mass.value, whole().paper.cores[0].mass.value);  // core A follows
+      with_repaired_masses({whole_reproduction().paper, whole_reproduction().runs,
+                            whole_reproduction().rows, whole_reproduction().searches});
+  EXPECT_EQ(changed.cores[0].mass.value,
+            whole_reproduction().paper.cores[0].mass.value);  // core A follows
   EXPECT_NEAR(changed.cores[1].mass.value, 84.4e-3, 0.2e-3);
 }
 

@@ -1,29 +1,26 @@
 #include "comparisons/studies/reproduce/report_sections.hpp"
-#include "comparisons/models/installation.hpp"
 
 #include <gtest/gtest.h>
 
 #include "comparisons/io/report/check.hpp"
+#include "tests/unit/comparisons/studies/reproduce/whole_reproduction.hpp"
 
 namespace rebound {
 namespace {
 
-const Reproduction& whole() {
-  static const Reproduction made = reproduce(data_folder());
-  return made;
-}
+using testing::whole_reproduction;
 
 TEST(ReportSectionsTest, TheReportPassesItsChecks) {
-  EXPECT_NO_THROW(report::check_report(reproduction_report(whole())));
+  EXPECT_NO_THROW(report::check_report(reproduction_report(whole_reproduction())));
 }
 
 TEST(ReportSectionsTest, TheFirstSectionIsTheOneAStudyShows) {
-  const auto sections = report_sections(whole());
+  const auto sections = report_sections(whole_reproduction());
   EXPECT_EQ(sections.front().title, "What the paper's numbers do not imply");
   std::size_t notices = 0;
   for (const report::Block& block : sections.front().blocks)
     notices += std::holds_alternative<report::Notice>(block) ? 1 : 0;
-  EXPECT_EQ(notices, whole().findings.size());
+  EXPECT_EQ(notices, whole_reproduction().findings.size());
 }
 
 void expect_no_measured_line(const report::Figure& figure) {
@@ -35,7 +32,7 @@ void expect_no_measured_line(const report::Figure& figure) {
 
 TEST(ReportSectionsTest, NoDrawnLineIsMeasured) {
   std::size_t figures = 0;
-  for (const report::Section& section : report_sections(whole()))
+  for (const report::Section& section : report_sections(whole_reproduction()))
     for (const report::Block& block : section.blocks) {
       if (const auto* figure = std::get_if<report::Figure>(&block)) {
         expect_no_measured_line(*figure);

@@ -9,14 +9,12 @@
 #include "lumped/integration/closed_forms.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/unit/comparisons/studies/reproduce/whole_reproduction.hpp"
 
 namespace rebound {
 namespace {
 
-const Reproduction& whole() {
-  static const Reproduction made = reproduce(data_folder());
-  return made;
-}
+using testing::whole_reproduction;
 
 std::size_t differing(const Reproduction& reproduction, const std::string& table) {
   return static_cast<std::size_t>(std::count_if(
@@ -26,7 +24,7 @@ std::size_t differing(const Reproduction& reproduction, const std::string& table
 
 const Row& row_of(const std::string& table, const std::string& quantity,
                   const std::string& core = "", double speed = -1.0) {
-  for (const Row& row : whole().rows)
+  for (const Row& row : whole_reproduction().rows)
     if (row.key.table == table && row.key.quantity == quantity && row.key.core == core &&
         (speed < 0.0 || row.key.speed == speed))
       return row;
@@ -35,7 +33,7 @@ const Row& row_of(const std::string& table, const std::string& quantity,
 
 TEST(ReproductionTest, EveryComputedNumberOfTheTablesHasARow) {
   const auto rows_in = [](const std::string& table) {
-    return std::count_if(whole().rows.begin(), whole().rows.end(),
+    return std::count_if(whole_reproduction().rows.begin(), whole_reproduction().rows.end(),
                          [&](const Row& row) { return row.key.table == table; });
   };
   EXPECT_EQ(rows_in("Table 2"), 4);
@@ -45,12 +43,12 @@ TEST(ReproductionTest, EveryComputedNumberOfTheTablesHasARow) {
 }
 
 TEST(ReproductionTest, TableFourReproducesWhole) {
-  EXPECT_EQ(differing(whole(), "Table 4"), 0u);
+  EXPECT_EQ(differing(whole_reproduction(), "Table 4"), 0u);
 }
 
 TEST(ReproductionTest, TablesTwoAndFiveDoNot) {
-  EXPECT_EQ(differing(whole(), "Table 2"), 2u);
-  EXPECT_EQ(differing(whole(), "Table 5"), 18u);
+  EXPECT_EQ(differing(whole_reproduction(), "Table 2"), 2u);
+  EXPECT_EQ(differing(whole_reproduction(), "Table 5"), 18u);
 }
 
 TEST(ReproductionTest, TableFiveDiffersFromTheRoundedTableFourToo) {
@@ -58,7 +56,7 @@ TEST(ReproductionTest, TableFiveDiffersFromTheRoundedTableFourToo) {
     return KelvinVoigtImpact({.stiffness = in[0], .damping = in[1]}, {.mass = in[2], .speed = 1.0});
   };
   constexpr SeparationRule rule = SeparationRule::zero_deflection;
-  for (const PaperCore& core : whole().paper.cores) {
+  for (const PaperCore& core : whole_reproduction().paper.cores) {
     if (core.name == "A") continue;
     for (const PaperShot& shot : core.shots) {
       const std::vector<PrintedNumber> inputs{shot.published.linear_stiffness,
@@ -74,7 +72,7 @@ TEST(ReproductionTest, TableFiveDiffersFromTheRoundedTableFourToo) {
 }
 
 TEST(ReproductionTest, TwoPercentagesOfSectionFourFourDoNot) {
-  EXPECT_EQ(differing(whole(), "Section 4.4"), 2u);
+  EXPECT_EQ(differing(whole_reproduction(), "Section 4.4"), 2u);
   const Row& time = row_of("Section 4.4", "mean difference of contact time, linear model");
   const Row& restitution = row_of("Section 4.4", "mean difference of restitution, linear model");
   EXPECT_EQ(time.verdict, Verdict::differs);
@@ -94,16 +92,16 @@ TEST(ReproductionTest, NumbersThatFollowAreSaidToFollow) {
 }
 
 TEST(ReproductionTest, CornersEncloseTheComputedNumber) {
-  for (const Row& row : whole().rows) {
+  for (const Row& row : whole_reproduction().rows) {
     EXPECT_LE(row.range.low, row.computed) << row.key.quantity;
     EXPECT_GE(row.range.high, row.computed) << row.key.quantity;
   }
 }
 
 TEST(ReproductionTest, JsonHasTheContractsKeys) {
-  const Json json = to_json(whole());
+  const Json json = to_json(whole_reproduction());
   EXPECT_EQ(json["schema"], 1);
-  ASSERT_EQ(json["rows"].size(), whole().rows.size());
+  ASSERT_EQ(json["rows"].size(), whole_reproduction().rows.size());
   for (const Json& row : json["rows"])
     for (const char* key : {"table", "core", "speed_m_s", "quantity", "published", "computed",
                             "low", "high", "verdict"})
@@ -115,7 +113,7 @@ TEST(ReproductionTest, JsonHasTheContractsKeys) {
 }
 
 TEST(ReproductionTest, TextNamesDifferencesFirst) {
-  const std::string text = to_text(whole());
+  const std::string text = to_text(whole_reproduction());
   const auto first_differing = text.find("\ndiffers");
   const auto first_following = text.find("\nreproduces");
   ASSERT_NE(first_differing, std::string::npos);
@@ -138,7 +136,7 @@ TEST(ReproductionTest, TheMassItNamesDoesRepairCoreB) {
   const testing::TemporaryFolder folder;
   copy_with(folder, "sliotar-core-b/dataset.toml", "mass = \"89.9 g\"", "mass = \"84.4 g\"");
   const Reproduction changed = reproduce(folder.path());
-  EXPECT_EQ(differing(whole(), "Table 5") - differing(changed, "Table 5"), 6u);
+  EXPECT_EQ(differing(whole_reproduction(), "Table 5") - differing(changed, "Table 5"), 6u);
   EXPECT_GT(differing(changed, "Table 4"), 0u);  // which was made with the other mass
 }
 

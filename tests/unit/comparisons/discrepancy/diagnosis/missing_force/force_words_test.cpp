@@ -11,10 +11,9 @@ namespace {
 
 using testing::AddedForce;
 
-constexpr int seeds = 4;
-
 /// All that was said of a force over the seeds.
 std::vector<std::string> words_of(const AddedForce& added) {
+  constexpr int seeds = 4;
   std::vector<testing::TrueImpact> impacts;
   for (const double speed : {5.0, 11.0, 25.0})
     impacts.push_back(testing::true_impact({}, added, speed));

@@ -5,17 +5,18 @@
 namespace rebound {
 namespace {
 
-using enum EffectFamily;
-
-const std::vector<FamilySet> sticky{{surface, rate}, {surface, elastic}};
+const std::vector<FamilySet> sticky{{EffectFamily::surface, EffectFamily::rate},
+                                    {EffectFamily::surface, EffectFamily::elastic}};
 
 TEST(CandidateFamilyTest, CommonOnlyWhereAllEffectsAreOfIt) {
+  using enum EffectFamily;
   EXPECT_EQ(common_family({{elastic}, {elastic}}), elastic);
   EXPECT_EQ(common_family({{elastic}, {memory}}), none);
   EXPECT_EQ(common_family(sticky), none);
 }
 
 TEST(CandidateFamilyTest, MainWhereOneExplainsFourFifthsByItself) {
+  using enum EffectFamily;
   EXPECT_EQ(
       main_family(sticky, {{{"adhesion"}, {surface}, 0.85}, {{"damping-exponent"}, {rate}, 0.6}}),
       surface);
@@ -23,12 +24,14 @@ TEST(CandidateFamilyTest, MainWhereOneExplainsFourFifthsByItself) {
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyThatACandidateDoesWithout) {
+  using enum EffectFamily;
   const ExplainedShare most{{"force-exponent"}, {elastic}, 0.95};
   EXPECT_EQ(main_family(sticky, {most}), none);
   EXPECT_EQ(main_family({{elastic, measurement}}, {most}), elastic);
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
+  using enum EffectFamily;
   const std::vector<FamilySet> both{{surface, elastic}};
   EXPECT_EQ(
       main_family(both, {{{"adhesion"}, {surface}, 0.9}, {{"force-exponent"}, {elastic}, 0.85}}),
@@ -36,6 +39,7 @@ TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
 }
 
 TEST(CandidateFamilyTest, NearestFormulasAreThoseThatExplainHalfAloneAndNoFreeForm) {
+  using enum EffectFamily;
   const auto nearest =
       nearest_formulas(history, {{{"hysteresis"}, {history}, 0.7},
                                  {{"permanent-set"}, {history}, 0.9},

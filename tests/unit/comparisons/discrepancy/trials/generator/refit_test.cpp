@@ -7,11 +7,11 @@
 namespace trials::testing {
 namespace {
 
-constexpr double alpha = 0.3;
+constexpr double damping_number = 0.3;
 
 /// Two shots of another ball, as the baseline gives them.
 RefitProblem problem_of(const BaselineBall& truth, double gain) {
-  RefitProblem problem{.ball = example_ball(alpha),
+  RefitProblem problem{.ball = example_ball(damping_number),
                        .gain = 1.0,
                        .gain_uncertainty = 0.02,
                        .noise = {.deviation = 10.0},
@@ -30,7 +30,7 @@ RefitProblem problem_of(const BaselineBall& truth, double gain) {
 }
 
 TEST(TrialRefit, FindsAnotherBallAndStartTime) {
-  BaselineBall other = example_ball(alpha);
+  BaselineBall other = example_ball(damping_number);
   other.stiffness *= 1.2;
   other.damping *= 0.7;
   const Refit fit = refit_baseline(problem_of(other, 1.0));
@@ -40,7 +40,7 @@ TEST(TrialRefit, FindsAnotherBallAndStartTime) {
 }
 
 TEST(TrialRefit, AGainBeyondItsPriorCostsWhatThePriorSays) {
-  const Refit fit = refit_baseline(problem_of(example_ball(alpha), 1.1));
+  const Refit fit = refit_baseline(problem_of(example_ball(damping_number), 1.1));
   EXPECT_NEAR(fit.gain, 1.1, 0.03);  // speeds give way a little
   EXPECT_GT(fit.chi_square, 5.0);
   EXPECT_LT(fit.chi_square, 25.1);
