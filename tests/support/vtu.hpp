@@ -54,6 +54,14 @@ struct Vtu {
   }
 };
 
+/// Of a density that every cell has, over the body at rest.
+inline double integral_over_cells(const Vtu& frame, const std::string& density) {
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < frame.cells; ++cell)
+    sum += frame.values("volume_at_rest_m3")[cell] * frame.values(density)[cell];
+  return sum;
+}
+
 template <class T>
 std::vector<double> as_doubles(const std::vector<unsigned char>& bytes) {
   std::uint32_t size = 0;

@@ -41,13 +41,6 @@ const Shown& shown() {
   return known;
 }
 
-double integral_over_cells(const test::Vtu& frame, const std::string& density) {
-  double sum = 0.0;
-  for (std::size_t cell = 0; cell < frame.cells; ++cell)
-    sum += frame.values("volume_at_rest_m3")[cell] * frame.values(density)[cell];
-  return sum;
-}
-
 /// ∫ p 2π r ds over the deformed underside: nodes of the outline's lower half by radius,
 /// which pressure and radius are linear between.
 double contact_force(const test::Vtu& frame) {

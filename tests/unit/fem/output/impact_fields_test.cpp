@@ -26,13 +26,6 @@ using field_tests::sphere_of_frames;
 using field_tests::underside;
 using test::common_case;
 
-double integral_over_cells(const test::Vtu& frame, const std::string& density) {
-  double sum = 0.0;
-  for (std::size_t cell = 0; cell < frame.cells; ++cell)
-    sum += frame.values("volume_at_rest_m3")[cell] * frame.values(density)[cell];
-  return sum;
-}
-
 struct Named {
   const char* name;
   Material material;
