@@ -139,5 +139,20 @@ TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
   EXPECT_GT(found["in_fem"][0]["gap_before"].get<double>(), 2.0);
 }
 
+/// A pull that reaches ahead of the surface: it outlasts the push, which no lumped pull does.
+TEST_F(BesideFem, APullInFemIsOfTheSurface) {
+  const auto found = beside_lumped(
+      ball("elastic = \"mooney-rivlin\"\nyoungs_modulus = \"50 MPa\"\npoisson_ratio = 0.45\n" +
+           branch("0.7", "0.02 ms") +
+           "[[model.effect]]\nname = \"adhesion\"\nsize = \"2500 J/m^2\"\n"
+           "range_over_radius = 0.055\n"),
+      "60 N");
+  EXPECT_EQ(found["family"], "surface") << found["verdict"] << found["warnings"];
+  ASSERT_FALSE(found["in_fem"].empty());
+  EXPECT_EQ(found["in_fem"][0]["name"], "adhesion");
+  EXPECT_EQ(found["in_fem"][0]["tiers"]["fem"], "supported");
+  EXPECT_NEAR(found["in_fem"][0]["size"].get<double>(), 2500.0, 400.0);
+}
+
 }  // namespace
 }  // namespace rebound::testing

@@ -89,7 +89,7 @@ EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects, bool of_fem,
       add(own);
     }
     for (const EffectParameterCard& parameter : card.parameters)
-      if (is_unknown(parameter, of_fem_))
+      if (is_unknown(parameter, of_fem_, choice))
         add(parameter.kind == ParameterKind::linear ? linear_of(card, parameter, choice)
                                                     : logarithm_of(card, parameter, choice));
   }
@@ -120,7 +120,7 @@ std::vector<EffectChoice> EffectUnknowns::at(const std::vector<double>& values) 
       effects[k].size_of_balls[ball] = size_at(ball);
     std::size_t next = sizes_[k];
     for (const auto& parameter : card.parameters)
-      if (is_unknown(parameter, of_fem_)) {
+      if (is_unknown(parameter, of_fem_, effects_[k])) {
         const double value = values[own[next++]];
         effects[k].parameters[parameter.name] =
             std::clamp(parameter.kind == ParameterKind::linear ? value : std::exp(value),

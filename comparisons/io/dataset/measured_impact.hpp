@@ -74,6 +74,9 @@ struct MeasuredImpact {
   std::string channel{};     ///< column of its force, where one file holds several shots
   /// Force over time; deflection where there is one; empty: no history.
   Trace trace{};
+  /// Force after the contact, where nothing touches the plate; no part of what models are fitted
+  /// to. Empty: not recorded.
+  Trace after_contact{};
   DeflectionOrigin deflection = DeflectionOrigin::unknown;
   ForceNoise noise{};
   ForceNoise deflection_noise{};  ///< deviation 0: deflections are no data [m]

@@ -69,6 +69,10 @@ struct EffectParameterCard {
   bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
   /// False: a number of the lumped form alone. In FE nothing fits it, and a file may not change it.
   bool in_fem = true;
+  /// False: a number of the FE form alone, by the same rules.
+  bool in_lumped = true;
+  /// At its default the model chooses it; then no fit looks for it.
+  bool is_left_open = false;
   ParameterKind kind = ParameterKind::logarithmic;
   double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
   std::vector<double> tried{};  ///< where a diagnosis looks; empty: decades about the default
@@ -78,11 +82,6 @@ struct EffectParameterCard {
   /// Of a normal prior about the default, for a linear one; 0: none.
   double prior_deviation = 0.0;
 };
-
-/// Is it an unknown of a fit, of the lumped model or of the FE model?
-inline bool is_unknown(const EffectParameterCard& parameter, bool of_fem) {
-  return parameter.fitted && (parameter.in_fem || !of_fem);
-}
 
 /// A curve of a free form: what it depends on, and which of the effect's numbers are its points.
 struct CurveCard {
@@ -116,6 +115,9 @@ struct EffectChoice {
 
   friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
 };
+
+/// Is it an unknown of a fit that starts from this choice, of the lumped model or of the FE model?
+bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice);
 
 /// Effects as one of several balls has them.
 std::vector<EffectChoice> effects_of_ball(std::vector<EffectChoice> effects, std::size_t ball);

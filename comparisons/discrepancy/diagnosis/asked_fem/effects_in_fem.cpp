@@ -25,13 +25,35 @@ std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present
   return names;
 }
 
-/// Where a search for an effect starts: its usual size; a memory fades in half a contact.
-EffectChoice start_of(const EffectCard& card, double contact_time) {
+/// Where a search for an effect may start: its usual size, and ten and a hundred times that where
+/// it may be as large; a memory fades in half a contact.
+std::vector<EffectChoice> starts_of(const EffectCard& card, double contact_time) {
   EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
   for (const EffectParameterCard& one : card.parameters)
-    start.parameters[one.name] =
-        one.name == card.fades_in ? half * contact_time : one.default_value;
-  return start;
+    start.parameters[one.name] = one.name == card.fades_in ? half * contact_time
+                                 : one.is_left_open        ? one.tried.front()
+                                                           : one.default_value;
+  std::vector<EffectChoice> starts{start};
+  for (const double larger : {10.0, 100.0}) {
+    start.size = larger * card.prior_scale;
+    if (card.range.contains(start.size)) starts.push_back(start);
+  }
+  return starts;
+}
+
+/// The start that fits best before anything is searched: steps of a search in FE are short beside
+/// two decades.
+EffectChoice nearest_start(const std::vector<EffectChoice>& starts, const FemOfBalls& balls,
+                           const FemOfAllBalls& without, const RunControl& control) {
+  if (starts.size() == 1) return starts.front();
+  const auto chi_squares = fit_each<double>(starts.size(), control, [&](std::size_t k) {
+    return balls.chi_square_with({starts[k]}, without);
+  });
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < starts.size(); ++k)
+    if (chi_squares[k] && (!chi_squares[nearest] || *chi_squares[k] < *chi_squares[nearest]))
+      nearest = k;
+  return starts[nearest];
 }
 
 /// Has half of the excess over the noise gone?
@@ -62,6 +84,23 @@ bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& uns
   constexpr double deviations = 3.0;
   const double most = 1.0 + deviations * std::sqrt(2.0 / static_cast<double>(without.samples));
   return without.reduced_chi_square() <= most && unseen.value_or(0.0) <= left_by_fem;
+}
+
+/// Is the fit that comes nearest one with an effect of the surface?
+bool surface_leads(const EffectSelection& selection) {
+  if (selection.tried.empty()) return false;
+  const std::vector<EffectChoice>& effects = selection.tried.front().fit.effects;
+  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.family == EffectFamily::surface;
+  });
+}
+
+/// FE without an effect comes near; or the data look like a pull, which keeps a ball of FE without
+/// one far from them.
+bool is_worth_asking(const Diagnosis& d, const FemOfAllBalls& without) {
+  return d.model_discrepancy != nullptr ||
+         without.chi_square <= half * d.selection.baseline.fit.chi_square ||
+         surface_leads(d.selection);
 }
 
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
@@ -107,16 +146,15 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   const std::optional<double> unseen = balls.unseen(without);
   d.fem_with_nothing_hidden =
       Gap{.before = without.reduced_chi_square(), .held_out_before = unseen};
-  const bool is_near = d.model_discrepancy != nullptr ||
-                       without.chi_square <= half * d.selection.baseline.fit.chi_square;
-  if (!is_near) return;
+  if (!is_worth_asking(d, without)) return;
   if (is_the_noise(without, unseen)) return let_fem_stand(d, without, unseen);
   const double contact_time =
       d.selection.baseline.fit.model->impact(d.selection.baseline.fit.values, 0)
           .scalars.contact_time;
   std::vector<EffectChoice> starts;
   for (const std::string& name : effects_of_fem(d.selection.baseline.fit.effects))
-    starts.push_back(start_of(find_effect(name).card, contact_time));
+    starts.push_back(
+        nearest_start(starts_of(find_effect(name).card, contact_time), balls, without, control));
   const auto fits = fit_each<FemOfAllBalls>(starts.size(), control,
                                             [&](std::size_t k) { return balls.fit({starts[k]}); });
   for (const auto& with : fits)

@@ -53,6 +53,19 @@ FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
   return whole;
 }
 
+double FemOfBalls::chi_square_with(const std::vector<EffectChoice>& effects,
+                                   const FemOfAllBalls& near) const {
+  double chi_square = 0.0;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+    const auto shots = shots_for_fem(seen_, all_, ball);
+    if (shots.empty()) continue;
+    FittedFem with = near.balls[ball];
+    with.effects = effects_of_ball(effects, ball);
+    chi_square += chi_square_of(seen_, shots, *d_.fem_alone->fem, with, control_);
+  }
+  return chi_square;
+}
+
 std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
   double chi_square = 0.0, samples = 0.0;
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {

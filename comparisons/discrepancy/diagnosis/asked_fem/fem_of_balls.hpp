@@ -33,6 +33,10 @@ class FemOfBalls {
   /// Errors: as fit_fem_model().
   FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
 
+  /// χ² of the shots that were fitted, with these numbers of the effects in place of those of
+  /// `near` and the materials as they are there; starts and scales of their own.
+  double chi_square_with(const std::vector<EffectChoice>& effects, const FemOfAllBalls& near) const;
+
   /// χ² of the shots at the unseen speed over their samples, with starts and scales of their own
   /// and all else as it was fitted; nothing where no history is there.
   std::optional<double> unseen(const FemOfAllBalls& fitted) const;

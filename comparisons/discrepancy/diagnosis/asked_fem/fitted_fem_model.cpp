@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <tuple>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/records_of_shots.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/record_of_impact.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
-#include "comparisons/inference/calibration/nuisances.hpp"
-#include "comparisons/inference/calibration/whitening.hpp"
-#include "comparisons/models/instrument/reported_force.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -24,7 +21,6 @@ constexpr double first_poisson_ratio = 0.35, least_poisson_ratio = 0.1, most_poi
 /// Time of the branch over that of the contact: loss without memory.
 constexpr double first_time = 0.025, shortest_time = 0.004, longest_time = 0.08;
 constexpr double first_ratio = 1.0, least_ratio = 1e-3, most_ratio = 20.0;
-constexpr double speed_exponent = 1.2;    // of the peak force (Hertz)
 constexpr double difference_step = 0.02;  // of a logarithm: above FE's step noise
 constexpr double cost_tolerance = 3e-4;   // what nodes that touch one by one leave of the cost
 constexpr double reach = 3.0;             // of a logarithm, either way
@@ -65,68 +61,6 @@ std::vector<CalibrationParameter> unknowns_near(const Material& guess, const Mat
                     longest_time * contact)};
 }
 
-/// Records of some shots beside impacts of any physics.
-///
-///   unknowns   for every shot a scale, within what gain and speed leave open, and a start
-class Records {
- public:
-  Records(const Observations& seen, const std::vector<std::size_t>& shots)
-      : seen_(seen), shots_(shots), nuisances_(seen.shots.size()) {}
-
-  /// `first_touch`: where a search for the start of a shot begins [s].
-  void add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
-                    std::vector<CalibrationParameter>& unknowns) {
-    for (const std::size_t i : shots_) {
-      const MeasuredImpact& shot = seen_.shots[i];
-      const double deviation = scale_uncertainty(shot);
-      nuisances_.add(find_nuisance("gain"),
-                     {.name = "scale, " + shot.label,
-                      .unit = "1",
-                      .start = 0.0,
-                      .lowest = -0.5,
-                      .highest = 0.5,
-                      .scale = deviation,
-                      .prior = Prior{0.0, deviation}},
-                     {i}, unknowns);
-      const double first = shot.trace.time.front(), last = shot.trace.time.back();
-      nuisances_.add(find_nuisance("trigger"),
-                     {.name = "start, " + shot.label,
-                      .unit = "s",
-                      .start = first_touch(i),
-                      .lowest = first - (last - first),
-                      .highest = last,
-                      .scale = 1e-2 * (last - first)},
-                     {i}, unknowns);
-    }
-  }
-
-  std::vector<double> residuals(const std::vector<double>& values,
-                                const std::vector<ModelledImpact>& impacts) const {
-    std::vector<double> residuals;
-    for (std::size_t k = 0; k < shots_.size(); ++k) {
-      const MeasuredImpact& shot = seen_.shots[shots_[k]];
-      MeasurementChain chain = stated_chain(shot);
-      nuisances_.apply(values, shots_[k], chain);
-      const auto& time = shot.trace.time;
-      const auto r =
-          whitened(shot, reported_force(contact_and_after(impacts[k], chain, time), chain, time));
-      residuals.insert(residuals.end(), r.begin(), r.end());
-    }
-    return residuals;
-  }
-
- private:
-  double scale_uncertainty(const MeasuredImpact& shot) const {
-    return std::hypot(seen_.gain_uncertainty,
-                      speed_exponent * shot.speed_uncertainty.value_or(0.0) / shot.impact.speed) +
-           1e-4;
-  }
-
-  const Observations& seen_;
-  const std::vector<std::size_t>& shots_;
-  NuisanceUnknowns nuisances_;
-};
-
 std::vector<ModelledImpact> run_shots(const Observations& seen,
                                       const std::vector<std::size_t>& shots, const FemBelief& fem,
                                       const Material& material,
@@ -137,6 +71,13 @@ std::vector<ModelledImpact> run_shots(const Observations& seen,
     impacts[k] = fem.run(shot.ball, shot.impact, material, effects);
   });
   return impacts;
+}
+
+/// Does one of these act as soon as there is contact, and not as the contact grows?
+bool pulls_at_first_touch(const std::vector<EffectChoice>& effects) {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.family == EffectFamily::surface;
+  });
 }
 
 CalibrationControls controls_in_fem() {
@@ -174,20 +115,29 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   calibration.parameters = unknowns_near(guess, near ? near->material : guess);
   const EffectUnknowns of_effects(effects, true, calibration.parameters);
   const auto physics = static_cast<std::ptrdiff_t>(calibration.parameters.size());
-  Records records(seen, shots);
-  records.add_unknowns(
-      [&](std::size_t shot) { return lumped.model->first_touch(lumped.values, shot); },
-      calibration.parameters);
   const auto material_at = [&](const std::vector<double>& x) {
     return with_numbers(guess, {x[0], x[1], x[2], x[3]});
   };
   // A start or a scale moves no impact.
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
-  calibration.residuals = [&](const std::vector<double>& x) {
-    const auto& impacts = kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
+  const auto impacts_at = [&](const std::vector<double>& x) -> const std::vector<ModelledImpact>& {
+    return kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
       return run_shots(seen, shots, fem, material_at(x), of_effects.at(x));
     });
-    return records.residuals(x, impacts);
+  };
+  FirstTouches touches;
+  for (const std::size_t shot : shots)
+    touches[shot] = lumped.model->first_touch(lumped.values, shot);
+  if (near && pulls_at_first_touch(effects)) {
+    // The material is that of a fit: what is left of the start is the effect's.
+    std::vector<double> first;
+    for (const CalibrationParameter& one : calibration.parameters) first.push_back(one.start);
+    touches = nearest_first_touches(seen, shots, impacts_at(first), touches);
+  }
+  RecordsOfShots records(seen, shots);
+  records.add_unknowns([&](std::size_t shot) { return touches.at(shot); }, calibration.parameters);
+  calibration.residuals = [&](const std::vector<double>& x) {
+    return records.residuals(x, impacts_at(x));
   };
   calibration.noise = NoiseKnowledge::known;
   calibration.controls = controls_in_fem();
@@ -206,11 +156,12 @@ double chi_square_of(const Observations& shots_of, const std::vector<std::size_t
                      const FemBelief& fem, const FittedFem& fitted, const RunControl& control) {
   const auto impacts = run_shots(shots_of, shots, fem, fitted.material, fitted.effects);
   CalibrationProblem calibration;
-  Records records(shots_of, shots);
-  std::map<std::size_t, double> starts;
+  RecordsOfShots records(shots_of, shots);
+  FirstTouches touches;
   for (std::size_t k = 0; k < shots.size(); ++k)
-    starts[shots[k]] = rise_time(shots_of.shots[shots[k]].trace) - rise_time(impacts[k].trace);
-  records.add_unknowns([&](std::size_t shot) { return starts.at(shot); }, calibration.parameters);
+    touches[shots[k]] = rise_time(shots_of.shots[shots[k]].trace) - rise_time(impacts[k].trace);
+  touches = nearest_first_touches(shots_of, shots, impacts, touches);
+  records.add_unknowns([&](std::size_t shot) { return touches.at(shot); }, calibration.parameters);
   calibration.residuals = [&](const std::vector<double>& x) {
     return records.residuals(x, impacts);
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/observations/pull_in_record.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 
 namespace rebound {
@@ -106,7 +107,8 @@ PreparedRecord prepare_record(std::size_t index, double interval, const Recorder
   PreparedRecord record{
       .shot = index, .trace = std::move(shot.trace), .contact = {}, .recorder = recorder};
   shot.trace = {};
-  record.contact = window_of(record.trace.force);
+  record.contact =
+      with_pull(window_of(record.trace.force), record.trace.force, recorder.rounding());
   return record;
 }
 

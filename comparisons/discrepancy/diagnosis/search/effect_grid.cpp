@@ -68,7 +68,7 @@ std::vector<double> tried_values(const EffectParameterCard& parameter, const Obs
       if (shot.number > 0) values.push_back(shot.number);
     return values;
   }
-  if (!parameter.fitted) return values;
+  if (!parameter.fitted || parameter.is_left_open) return values;
   values = in_si(parameter.tried, parameter.tried_in, parameter.range, scales);
   if (!values.empty()) return values;
   if (parameter.kind == ParameterKind::linear) return {parameter.default_value};

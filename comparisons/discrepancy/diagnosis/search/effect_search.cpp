@@ -7,6 +7,7 @@
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/search/limits_of_memory.hpp"
+#include "comparisons/discrepancy/diagnosis/search/record_after_contact.hpp"
 
 namespace rebound {
 
@@ -83,7 +84,8 @@ void EffectSearch::finish(Fits& looked_at) const {
 
 bool EffectSearch::found(const Fits& fits) {
   for (const auto& fit : fits)
-    if (fit) selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
+    if (fit && !record_after_contact_denies(seen_, *fit))
+      selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
   std::stable_sort(selection_.tried.begin(), selection_.tried.end(),
                    [](const AssessedFit& a, const AssessedFit& b) {
                      return a.fit.information_criterion < b.fit.information_criterion;

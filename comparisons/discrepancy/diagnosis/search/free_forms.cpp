@@ -103,7 +103,7 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
   }
   std::vector<EffectChoice> starts{start};
   for (const EffectParameterCard& parameter : card.parameters) {
-    if (!is_unknown(parameter, fit.model->fem() != nullptr)) continue;
+    if (!is_unknown(parameter, fit.model->fem() != nullptr, start)) continue;
     std::vector<double> places = parameter.tried;
     if (parameter.dimension == dimension::time) {
       const double contact = mean_contact_time(seen, fit);

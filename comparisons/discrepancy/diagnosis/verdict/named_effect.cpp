@@ -140,7 +140,7 @@ NamedEffect named_effect(const HypothesisFit& fit, std::size_t k) {
   measure_sizes(fit, k, result);
   std::size_t next = fit.model->sizes_of_effect(k);
   for (const auto& parameter : effect.card.parameters)
-    if (is_unknown(parameter, fit.model->fem() != nullptr))
+    if (is_unknown(parameter, fit.model->fem() != nullptr, choice))
       result.parameters.push_back(with_interval(fit, unknowns[next++], parameter.name,
                                                 parameter.kind == ParameterKind::logarithmic));
     else if (parameter.kind == ParameterKind::shot) {

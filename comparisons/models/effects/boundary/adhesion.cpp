@@ -12,6 +12,17 @@ Effect adhesion_effect() {
                .size_dimension = dimension::energy_per_area,
                .range = limit_of<&Mechanisms::adhesion>.range,
                .prior_scale = 20.0,
+               .parameters = {{.name = "range_over_radius",
+                               .sentence =
+                                   "Gap within which the surface is pulled, in FE; 0: chosen"
+                                   " so that the pull is Derjaguin's.",
+                               .dimension = dimension::none,
+                               .range = from_to(0.0, 0.25),
+                               .default_value = 0.0,
+                               .fitted = true,
+                               .in_lumped = false,
+                               .is_left_open = true,
+                               .tried = {0.05}}},
                .signature = "A tensile tail at the end of the force; restitution that rises with "
                             "speed.",
                .experiment = "Sign of the slope of e at low speed; the same shots on a powdered or "
@@ -20,8 +31,12 @@ Effect adhesion_effect() {
                .moves = ImpactChange{.contact_time = 1, .restitution = -1}},
       .to_lumped = [](const EffectChoice& choice,
                       LumpedProblem& problem) { problem.model.mechanisms.adhesion = choice.size; },
-      .to_fem = [](const EffectChoice& choice,
-                   FemProblem& problem) { problem.adhesion.work = choice.size; },
+      .to_fem =
+          [](const EffectChoice& choice, FemProblem& problem) {
+            problem.adhesion = {
+                .work = choice.size,
+                .range = choice.parameters.at("range_over_radius") * problem.sphere.radius()};
+          },
   };
 }
 

@@ -114,7 +114,7 @@ Effect pull_curves_effect() {
                              .range = from_to(1e-3, 1.0),
                              .default_value = 0.1,
                              .fitted = true,
-                             .tried = {0.05, 0.3}});
+                             .tried = {0.005, 0.05, 0.3}});
   return {.card = std::move(card),
           .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
             problem.model.mechanisms.pull = pull_curves(choice);

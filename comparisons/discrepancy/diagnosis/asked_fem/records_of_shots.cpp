@@ -1,0 +1,93 @@
+#include "comparisons/discrepancy/diagnosis/asked_fem/records_of_shots.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "comparisons/discrepancy/diagnosis/fits/record_of_impact.hpp"
+#include "comparisons/inference/calibration/search.hpp"
+#include "comparisons/inference/calibration/whitening.hpp"
+#include "comparisons/models/instrument/reported_force.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double speed_exponent = 1.2;  // of the peak force (Hertz)
+
+double nearest_first_touch(const Observations& seen, std::size_t shot, const ModelledImpact& impact,
+                           double near) {
+  constexpr int half_samples = 4;
+  const std::vector<std::size_t> alone{shot};
+  RecordsOfShots record(seen, alone);
+  std::vector<CalibrationParameter> unknowns;
+  record.add_unknowns([&](std::size_t) { return near; }, unknowns);
+  const std::vector<double>& time = seen.shots[shot].trace.time;
+  const double half_a_sample = 0.5 * (time[1] - time[0]);
+  double nearest = near, least = std::numeric_limits<double>::infinity();
+  for (int k = -half_samples; k <= half_samples; ++k) {
+    const double touch = near + k * half_a_sample;
+    const double left = half_square(record.residuals({0.0, touch}, {impact}));
+    if (left < least) {
+      least = left;
+      nearest = touch;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+double RecordsOfShots::scale_uncertainty(const MeasuredImpact& shot) const {
+  return std::hypot(seen_.gain_uncertainty,
+                    speed_exponent * shot.speed_uncertainty.value_or(0.0) / shot.impact.speed) +
+         1e-4;
+}
+
+void RecordsOfShots::add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
+                                  std::vector<CalibrationParameter>& unknowns) {
+  for (const std::size_t i : shots_) {
+    const MeasuredImpact& shot = seen_.shots[i];
+    const double deviation = scale_uncertainty(shot);
+    nuisances_.add(find_nuisance("gain"),
+                   {.name = "scale, " + shot.label,
+                    .unit = "1",
+                    .start = 0.0,
+                    .lowest = -0.5,
+                    .highest = 0.5,
+                    .scale = deviation,
+                    .prior = Prior{0.0, deviation}},
+                   {i}, unknowns);
+    const double first = shot.trace.time.front(), last = shot.trace.time.back();
+    nuisances_.add(find_nuisance("trigger"),
+                   {.name = "start, " + shot.label,
+                    .unit = "s",
+                    .start = first_touch(i),
+                    .lowest = first - (last - first),
+                    .highest = last,
+                    .scale = 1e-2 * (last - first)},
+                   {i}, unknowns);
+  }
+}
+
+std::vector<double> RecordsOfShots::residuals(const std::vector<double>& values,
+                                              const std::vector<ModelledImpact>& impacts) const {
+  std::vector<double> residuals;
+  for (std::size_t k = 0; k < shots_.size(); ++k) {
+    const MeasuredImpact& shot = seen_.shots[shots_[k]];
+    MeasurementChain chain = stated_chain(shot);
+    nuisances_.apply(values, shots_[k], chain);
+    const auto& time = shot.trace.time;
+    const auto r =
+        whitened(shot, reported_force(contact_and_after(impacts[k], chain, time), chain, time));
+    residuals.insert(residuals.end(), r.begin(), r.end());
+  }
+  return residuals;
+}
+
+FirstTouches nearest_first_touches(const Observations& seen, const std::vector<std::size_t>& shots,
+                                   const std::vector<ModelledImpact>& impacts, FirstTouches near) {
+  for (std::size_t k = 0; k < shots.size(); ++k)
+    near.at(shots[k]) = nearest_first_touch(seen, shots[k], impacts[k], near.at(shots[k]));
+  return near;
+}
+
+}  // namespace rebound

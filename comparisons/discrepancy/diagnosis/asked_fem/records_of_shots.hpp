@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/fits/modelled_impact.hpp"
+#include "comparisons/inference/calibration/calibration_problem.hpp"
+#include "comparisons/inference/calibration/nuisances.hpp"
+#include "comparisons/inference/calibration/observations.hpp"
+
+namespace rebound {
+
+/// Records of force of some shots beside impacts of any physics.
+///
+///   unknowns   of every shot a scale, within what gain and speed leave open, and a start [s]
+///
+/// Caution: an error of the speed is taken as one of the force's scale alone, F ~ v^1.2.
+class RecordsOfShots {
+ public:
+  /// Observations and shots must outlive it.
+  RecordsOfShots(const Observations& seen, const std::vector<std::size_t>& shots)
+      : seen_(seen), shots_(shots), nuisances_(seen.shots.size()) {}
+
+  /// `first_touch`: where a search for the start of a shot begins [s].
+  void add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
+                    std::vector<CalibrationParameter>& unknowns);
+
+  /// Whitened readings less those of `impacts`, one of each shot.
+  std::vector<double> residuals(const std::vector<double>& values,
+                                const std::vector<ModelledImpact>& impacts) const;
+
+ private:
+  double scale_uncertainty(const MeasuredImpact& shot) const;
+
+  const Observations& seen_;
+  const std::vector<std::size_t>& shots_;
+  NuisanceUnknowns nuisances_;
+};
+
+/// Where searches for the starts of shots begin, by shot [s].
+using FirstTouches = std::map<std::size_t, double>;
+
+/// Of half a sample and more about `near`, to two samples either way, where these impacts leave
+/// least. A ball that sticks is pulled at once, and a step that is off by a sample is a valley of
+/// its own.
+FirstTouches nearest_first_touches(const Observations& seen, const std::vector<std::size_t>& shots,
+                                   const std::vector<ModelledImpact>& impacts, FirstTouches near);
+
+}  // namespace rebound

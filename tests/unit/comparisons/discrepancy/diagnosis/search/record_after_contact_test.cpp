@@ -1,0 +1,77 @@
+// What is read where nothing touches is the measurement alone.
+#include "comparisons/discrepancy/diagnosis/search/record_after_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double drift = 1e4;  // 10 N a millisecond after first touch; the noise is 20 N
+
+Observations seen_with(std::vector<EffectChoice> hidden, double after = 2.5e-3) {
+  SynthesisFile file = testing::experiment_with(std::move(hidden), 3);
+  file.sampling.after = after;
+  return observe({synthesize(file, simulator_of(file, {})).dataset});
+}
+
+/// A hypothesis with the numbers that it states.
+HypothesisFit stated(const Observations& seen, std::vector<EffectChoice> effects) {
+  HypothesisFit fit;
+  fit.effects = effects;
+  fit.model =
+      std::make_shared<const JointModel>(seen, Hypothesis{.believed = testing::believed_law(),
+                                                          .effects = std::move(effects),
+                                                          .model_discrepancy = nullptr});
+  fit.values = fit.model->start();
+  return fit;
+}
+
+bool denies(const Observations& seen, const EffectChoice& fault) {
+  return record_after_contact_denies(seen, stated(seen, {fault}));
+}
+
+TEST(RecordAfterContactTest, ADriftThatIsNotThereIsDenied) {
+  const Observations seen = seen_with({});
+  EXPECT_TRUE(denies(seen, {"force-drift", drift, {}}));
+  EXPECT_TRUE(denies(seen, {"force-drift", -drift, {}}));
+  EXPECT_TRUE(denies(seen, {"droop", 2e3, {}})) << "an undershoot in proportion to the impulse";
+}
+
+TEST(RecordAfterContactTest, ADriftThatIsThereIsNotDenied) {
+  const Observations drifting = seen_with({{"force-drift", drift, {}}});
+  EXPECT_FALSE(denies(drifting, {"force-drift", drift, {}}));
+  EXPECT_TRUE(denies(drifting, {"force-drift", -drift, {}}));
+  EXPECT_FALSE(denies(drifting, {"force-drift", 1.0, {}})) << "as good as none";
+}
+
+/// Slow noise that lies like a drift in one record is no drift of the others.
+TEST(RecordAfterContactTest, OneRecordIsEnough) {
+  Observations seen = seen_with({{"force-drift", drift, {}}});
+  ASSERT_EQ(seen.shots.size(), 3u) << seen.warnings.back();
+  const Observations quiet = seen_with({});
+  seen.shots[2].after_contact = quiet.shots[2].after_contact;
+  EXPECT_TRUE(denies(seen, {"force-drift", drift, {}}));
+}
+
+TEST(RecordAfterContactTest, NothingIsSaidOfPhysicsNorWithoutARecord) {
+  EXPECT_FALSE(denies(seen_with({}), {"adhesion", 500.0, {}}));
+  EXPECT_FALSE(denies(seen_with({}, 0.0), {"force-drift", drift, {}}));
+}
+
+TEST(RecordAfterContactTest, ItIsTheQuietAndNotTheContact) {
+  const Observations seen = seen_with({});
+  for (const MeasuredImpact& shot : seen.shots) {
+    ASSERT_FALSE(shot.after_contact.time.empty());
+    EXPECT_GT(shot.after_contact.time.front(), shot.trace.time.back());
+    EXPECT_EQ(shot.after_contact.time.size(), shot.after_contact.force.size());
+    for (const double force : shot.after_contact.force) EXPECT_LT(std::abs(force), 100.0);
+  }
+}
+
+}  // namespace
+}  // namespace rebound
