@@ -51,6 +51,7 @@ DiagnosisRequest request_of(const std::filesystem::path& trial, const TrialProto
   const BelievedModel believed =
       read_believed_model(Document::load((trial / "model.toml").string()), request.datasets);
   request.believed = believed.model;
+  request.believed_fem = believed.fem;
   request.believed_effects = believed.effects;
   request.ask_fem = protocol.ask_fem;
   request.rules = protocol.rules;

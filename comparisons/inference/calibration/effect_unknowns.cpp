@@ -20,17 +20,18 @@ CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
           .scale = 1.0};
 }
 
-CalibrationParameter size_of(const EffectCard& card, double start) {
+CalibrationParameter size_of(const EffectCard& card, double start, bool of_fem) {
+  const Range& range = card.range_of_size(of_fem);
   if (has_logarithmic_size(card)) return logarithm_of_size(card, start);
   // A plate or a branch next to nothing is stiff and cannot be told from
   // nothing: searches keep off a one-sided null.
-  const double least = card.null <= card.range.lowest ? card.null + next_to_null * card.prior_scale
-                                                      : card.range.lowest;
+  const double least =
+      card.null <= range.lowest ? card.null + next_to_null * card.prior_scale : range.lowest;
   return {.name = card.name,
           .unit = "SI",
           .start = std::max(start, least),
           .lowest = least,
-          .highest = card.range.highest,
+          .highest = range.highest,
           .scale = card.prior_scale};
 }
 
@@ -82,9 +83,9 @@ EffectUnknowns::EffectUnknowns(std::vector<EffectChoice> effects, bool of_fem,
     sizes_.push_back(0);
     if (card.is_switch) continue;
     sizes_.back() = std::max<std::size_t>(1, choice.size_of_balls.size());
-    if (choice.size_of_balls.empty()) add(size_of(card, choice.size));
+    if (choice.size_of_balls.empty()) add(size_of(card, choice.size, of_fem_));
     for (std::size_t ball = 0; ball < choice.size_of_balls.size(); ++ball) {
-      CalibrationParameter own = size_of(card, choice.size_of_balls[ball]);
+      CalibrationParameter own = size_of(card, choice.size_of_balls[ball], of_fem_);
       own.name += " of ball " + std::to_string(ball + 1);
       add(own);
     }

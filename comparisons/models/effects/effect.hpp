@@ -150,8 +150,9 @@ struct EffectCard {
   std::string sentence;                      ///< what it is, for --help and the report
   std::string equation;                      ///< lumped form in one line
   Dimension size_dimension;
-  double null = 0.0;         ///< the size at which the effect is absent
-  Range range;               ///< of the size, SI
+  double null = 0.0;                    ///< the size at which the effect is absent
+  Range range;                          ///< of the size, SI
+  std::optional<Range> range_in_fem{};  ///< of its FE form, where that holds less
   double prior_scale = 0.0;  ///< a size that would surprise nobody; sets steps and starts of fits
   /// Only null and one are meaningful (a formula is exact or not, gravity acts or
   /// not); sizes between interpolate, for derivatives.
@@ -186,6 +187,10 @@ struct EffectCard {
   std::string contains{};
   std::optional<ImpactChange>
       moves;  ///< what it moves in FE; must be said where it has a form there
+
+  const Range& range_of_size(bool of_fem) const {
+    return of_fem && range_in_fem ? *range_in_fem : range;
+  }
 };
 
 /// One effect: its card, and how it changes the plain records of each tier.

@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
@@ -83,9 +84,12 @@ void EffectSearch::finish(Fits& looked_at) const {
 }
 
 bool EffectSearch::found(const Fits& fits) {
-  for (const auto& fit : fits)
-    if (fit && !record_after_contact_denies(seen_, *fit))
-      selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
+  for (const auto& fit : fits) {
+    const double against = fit ? chi_square_against_faults(seen_, *fit) : 0.0;
+    if (!fit || !std::isfinite(against)) continue;
+    selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
+    selection_.tried.back().fit.information_criterion += against;
+  }
   std::stable_sort(selection_.tried.begin(), selection_.tried.end(),
                    [](const AssessedFit& a, const AssessedFit& b) {
                      return a.fit.information_criterion < b.fit.information_criterion;

@@ -4,24 +4,25 @@
 
 namespace rebound {
 
-/// Does the record after contact speak against a fault of the measurement that a fit holds?
+/// What the record after contact says against the faults of the measurement that a fit holds.
 ///
 /// Nothing touches the plate there, so that what is read is the measurement alone. A drift, a hum,
 /// a burst or an undershoot that was fitted to the contact is predicted for it and held against the
 /// same impact without the fault, a plate's ringing included:
 ///
-///   sum over stretches of a record of ((m - p) / e)² - ((m - q) / e)² > 25, for one record or more
+///   chi-square of the readings with the faults, less that without them, summed over the shots
 ///
-/// m mean of the readings over a stretch of half a contact [N]; p the same of the fitted model, q of
-/// it without its faults [N]; e error of m, from size and colour of the noise and from the error of
-/// the zero [N]. Five standard deviations: noise slower than a record moves a stretch as a drift
-/// does. One record is enough: slow noise that passes for a drift in one shot is no drift that all
-/// share.
+/// Readings are whitened as those of the contact are, and the zero may lie off by its error. They
+/// are data as those of the contact are: the sum counts in the comparison of fits. Where one record
+/// alone says 25 or more it is infinite: five standard deviations, for noise slower than a record
+/// moves it as a drift does, and slow noise that passes for a drift in one shot is no drift that
+/// all share.
 ///
-/// Never of a fit without a fault, and never where nothing was recorded after the contact.
+/// Zero of a fit without a fault, where nothing was recorded after the contact, and where the
+/// record speaks for the fault: no fit is preferred for what it explains there.
 /// Limit:  a fault of no size is not spoken against
 ///         -> test RecordAfterContactTest.ADriftThatIsThereIsNotDenied.
 /// Errors: as JointModel.
-bool record_after_contact_denies(const Observations& seen, const HypothesisFit& fit);
+double chi_square_against_faults(const Observations& seen, const HypothesisFit& fit);
 
 }  // namespace rebound

@@ -64,6 +64,12 @@ bool is_shared_fault(const Diagnosis& d) {
          });
 }
 
+/// Does the unseen speed fit worse with a fault that all shots share, beyond what chance does?
+bool speaks_against_a_shared_fault(const Diagnosis& d, const SelectionRules& rules) {
+  return is_shared_fault(d) && d.unseen_before && d.unseen_after &&
+         d.unseen_after->chi_square - d.unseen_before->chi_square > rules.close_criterion;
+}
+
 }  // namespace
 
 bool is_of_two_families(const Diagnosis& d) {
@@ -129,6 +135,13 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& r
   const double excess = *d.gap.held_out_before - 1.0;
   const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
   if (excess > noise && removed >= worth_having * excess) return;
+  if (speaks_against_a_shared_fault(d, rules))
+    return withhold(
+        d, DiagnosisVerdict::unexplained,
+        fmt::format("a fault of all shots would be there at the unseen speed, and with {} its "
+                    "chi-square rises by {:.3g}",
+                    label_of(d.best().effects),
+                    d.unseen_after->chi_square - d.unseen_before->chi_square));
   if (excess <= noise || *d.gap.held_out_after - 1.0 <= noise) {
     if (d.verdict == DiagnosisVerdict::missing)
       withhold(

@@ -23,9 +23,11 @@ void drop_candidates(Diagnosis& diagnosis);
 /// What the speed that was kept from every fit says of a verdict that names something, once it
 /// has been predicted before and after.
 ///
-///   χ² before, or after, within the noise   the gap does not show there: the family, without a
-///   name neither, and less than half removed     the candidate does not predict: unexplained χ²
-///   before within the noise, not better  of a gap that noise could make, with rivals of several
+///   χ² before, or after, within the noise   the gap does not show there: the family, without a name
+///   neither, and less than half removed     the candidate does not predict: unexplained
+///   a fault of all shots, and χ² rises by   it would be there, too: unexplained
+///   more than comes close
+///   χ² before within the noise, not better  of a gap that noise could make, with rivals of several
 ///   after                                   families: the believed model stands
 ///
 /// A prediction that is better is no proof of a name; one that is not better is proof against it.

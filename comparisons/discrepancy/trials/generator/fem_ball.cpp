@@ -49,6 +49,12 @@ void write_surroundings(Out out, const FemBall& ball) {
 
 }  // namespace
 
+std::string fem_model_text(const FemBall& ball) {
+  std::string text = "schema = 1\n[model]\ntier = \"fem\"\n";
+  write_material(std::back_inserter(text), ball);
+  return text;
+}
+
 std::string deck_text(const FemBall& ball, const FemImpact& impact) {
   std::string text = fmt::format(
       "schema = 1\n[impact]\nspeed = \"{:.17g} m/s\"\n[sphere]\nmass = \"{:.17g} kg\"\n"

@@ -63,6 +63,9 @@ struct FemImpact {
   double speed = 0.0;   ///< [m/s]
 };
 
+/// A model file of such a ball: what it is made of alone, on a mesh that the reader chooses.
+std::string fem_model_text(const FemBall& ball);
+
 /// The deck of one impact, on a mesh of about 2500 cells: fine enough that nodes which touch one by
 /// one leave no ripple in the noise of a trial, and no mesh that a diagnosis runs on.
 std::string deck_text(const FemBall& ball, const FemImpact& impact);

@@ -22,6 +22,7 @@ struct Options {
   std::string set = "trials";
   std::string only;
   std::string fem;
+  bool believe_fem = false;
   bool list = false;
 };
 
@@ -82,6 +83,9 @@ void declare(CLI::App& app, Options& options) {
                  "Balls in finite elements, computed by this program, as build/rebound; three to "
                  "ten processor seconds a trial.")
       ->type_name("PROGRAM");
+  app.add_flag("--believe-fem", options.believe_fem,
+               "With --fem: what is believed is the ball's material in finite elements, and not "
+               "Hunt-Crossley.");
   app.add_flag("--list", options.list, "Print the forms of all families and stop.");
 }
 
@@ -95,6 +99,8 @@ void print_forms(const Options& options) {
 std::string missing(const CLI::App& app) {
   for (const char* flag : {"--out", "--count", "--seed"})
     if (app.count(flag) == 0) return fmt::format("{}: is required", flag);
+  if (app.count("--believe-fem") > 0 && app.count("--fem") == 0)
+    return "--believe-fem: takes balls in finite elements; allowed: with --fem PROGRAM";
   return "";
 }
 
@@ -122,7 +128,7 @@ int generate(const Options& options) {
   }
   trials::TrialFolder folder(options.out);
   for (int number = 1; number <= options.count; ++number)
-    folder.add(trials::make_trial({options.seed, options.set, number, options.only, fem}));
+    folder.add(trials::make_trial({options.seed, options.set, number, options.only, fem, options.believe_fem}));
   fmt::print("{} trials in {}\n", options.count, options.out);
   return done;
 }

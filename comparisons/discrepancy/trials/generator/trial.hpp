@@ -22,6 +22,8 @@ struct TrialRequest {
   std::string only;  ///< a kind or the name of a form; empty: all kinds
   /// Balls in finite elements, by this program; null: balls that obey Hunt–Crossley.
   std::shared_ptr<FemProgram> fem{};
+  /// Of those balls: is the believed model one in finite elements, and not Hunt–Crossley?
+  bool believe_fem = false;
 };
 
 /// A number as the data set states it, with one standard deviation.

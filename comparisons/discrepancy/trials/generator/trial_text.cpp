@@ -102,7 +102,18 @@ std::string csv_text(const TrialShot& shot) {
   return text;
 }
 
+/// The material of the ball with nothing hidden, off by as much as the numbers of a law are.
+std::string believed_fem_text(const Trial& trial) {
+  FemBall believed = trial.fem;
+  believed.modulus *= trial.believed_stiffness / trial.ball.stiffness;
+  const double loss = trial.believed_damping / (trial.ball.stiffness * trial.ball.damping);
+  for (FemBranch& branch : believed.branches) branch.ratio *= loss;
+  return "# What is believed: the ball is made of this. The numbers are where a fit starts.\n" +
+         fem_model_text(believed);
+}
+
 std::string model_text(const Trial& trial) {
+  if (trial.request.believe_fem) return believed_fem_text(trial);
   return fmt::format(
       "# What is believed: Hunt-Crossley. The numbers are where a fit starts.\n"
       "schema = 1\n[model]\ntier = \"lumped\"\nlaw = \"hunt-crossley\"\n"
@@ -140,7 +151,10 @@ std::string truth_text(const Trial& trial, const std::string& nonce) {
                 {"scales", scales_json(trial.scales)},
                 {"shots", shots_json(trial)},
                 {"nonce", nonce}};
-  if (in_fem(trial.request)) truth["ball"] = fem_ball_json(trial);
+  if (in_fem(trial.request)) {
+    truth["ball"] = fem_ball_json(trial);
+    truth["believed"] = trial.request.believe_fem ? "fem" : "lumped";
+  }
   return truth.dump(2) + "\n";
 }
 

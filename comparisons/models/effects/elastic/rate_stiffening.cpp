@@ -7,6 +7,9 @@
 namespace rebound {
 namespace {
 
+/// Of a power law that a spectrum of relaxation times follows.
+constexpr Range exponent_of_spectrum = from_to(0.0, 0.99);
+
 /// Half the Hertz contact time at v_r, of the long-term modulus [s].
 double time_to_peak(const FemProblem& problem) {
   constexpr double reference_speed = 10.0;
@@ -32,6 +35,7 @@ Effect rate_stiffening_effect() {
                .equation = "stiffness times (v0/v_r)^s, v_r = 10 m/s",
                .size_dimension = dimension::none,
                .range = limit_of<&ElasticFactors::rate_exponent>.range,
+               .range_in_fem = exponent_of_spectrum,
                .prior_scale = 0.1,
                .signature = "Amplitude of force scales with speed beyond the law while the "
                             "exponent of F over x stays; slow stiffness far below the dynamic one.",

@@ -31,8 +31,12 @@ HypothesisFit stated(const Observations& seen, std::vector<EffectChoice> effects
   return fit;
 }
 
+double against(const Observations& seen, const EffectChoice& fault) {
+  return chi_square_against_faults(seen, stated(seen, {fault}));
+}
+
 bool denies(const Observations& seen, const EffectChoice& fault) {
-  return record_after_contact_denies(seen, stated(seen, {fault}));
+  return std::isinf(against(seen, fault));
 }
 
 TEST(RecordAfterContactTest, ADriftThatIsNotThereIsDenied) {
@@ -47,6 +51,15 @@ TEST(RecordAfterContactTest, ADriftThatIsThereIsNotDenied) {
   EXPECT_FALSE(denies(drifting, {"force-drift", drift, {}}));
   EXPECT_TRUE(denies(drifting, {"force-drift", -drift, {}}));
   EXPECT_FALSE(denies(drifting, {"force-drift", 1.0, {}})) << "as good as none";
+}
+
+/// A drift too small to be denied is less likely where it is not; where it is, none is preferred.
+TEST(RecordAfterContactTest, ASmallDriftCountsInTheComparison) {
+  const EffectChoice small{"force-drift", 0.1 * drift, {}};
+  const double not_there = against(seen_with({}), small);
+  EXPECT_GT(not_there, 3.0);
+  EXPECT_LT(not_there, 75.0);
+  EXPECT_EQ(against(seen_with({small}), small), 0.0);
 }
 
 /// Slow noise that lies like a drift in one record is no drift of the others.

@@ -149,5 +149,20 @@ TEST(WithheldNameTest, AFaultOfOneShotIsNotAtTheUnseenSpeed) {
   EXPECT_EQ(verdict_of(fault_that_misses("odd-shot")), DiagnosisVerdict::measurement_fault);
 }
 
+/// Small, and yet its own prediction fits worse: noise that passed for it.
+TEST(WithheldNameTest, AFaultThatOnlyMakesTheUnseenSpeedWorseIsNone) {
+  const auto said = [](const char* name, double rise) {
+    Diagnosis d = fault_that_misses(name);
+    d.gap.held_out_before = 0.96;
+    d.gap.held_out_after = 0.98;
+    d.unseen_before = HeldOutGap{.chi_square = 500.0};
+    d.unseen_after = HeldOutGap{.chi_square = 500.0 + rise};
+    return verdict_of(d);
+  };
+  EXPECT_EQ(said("hum", 10.0), DiagnosisVerdict::unexplained);
+  EXPECT_EQ(said("hum", 2.0), DiagnosisVerdict::measurement_fault);
+  EXPECT_EQ(said("odd-shot", 10.0), DiagnosisVerdict::measurement_fault);
+}
+
 }  // namespace
 }  // namespace rebound
