@@ -65,6 +65,26 @@ TEST_F(FemTrials, TheSameSeedGivesTheSameDataAndLumpedFormsAreRefused) {
   EXPECT_EQ(generate({"--out", "d", "--count", "1", "--seed", "9", "--only", "pair"}).exit_code, 2);
 }
 
+TEST_F(FemTrials, WhatIsBelievedMayBeInFiniteElementsToo) {
+  const Outcome made = generate(
+      {"--out", "doubted", "--count", "1", "--seed", "2", "--only", "null", "--believe-fem"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_NE(read_whole(folder.path() / "doubted/trials/0001/model.toml").find("tier = \"fem\""),
+            std::string::npos);
+  const Outcome run = rebound({"trials", "doubted", "--json", "--table", "doubted.csv"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_TRUE(json["in_fem"].is_null()) << "a lumped model is believed there";
+  EXPECT_EQ(json["fem_believed"]["trials"], 1);
+  EXPECT_EQ(json["fem_believed"]["confusion"]["nothing"]["agrees"], 1);
+  EXPECT_EQ(rebound({"trials", "--from-table", "doubted.csv", "--json"}).output, run.output);
+  const Outcome of_points = run_program(
+      {.arguments = {TRIAL_GENERATOR, "--out", "y", "--count", "1", "--seed", "1", "--believe-fem"},
+       .folder = folder.path()});
+  EXPECT_EQ(of_points.exit_code, 2);
+  EXPECT_NE(of_points.errors.find("--fem PROGRAM"), std::string::npos) << of_points.errors;
+}
+
 TEST_F(FemTrials, WithoutSuchAProgramNothingIsWritten) {
   const Outcome none = run_program({.arguments = {TRIAL_GENERATOR, "--out", "x", "--count", "1",
                                                   "--seed", "1", "--fem", "/nowhere/rebound"},

@@ -86,7 +86,7 @@ RARE = {
     "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above", ".in_fem", ".fem_with_nothing_hidden"),
     "inspect": (".contradictions",),
     "verify": (".seeded_faults",),
-    "trials": (".in_fem.",),
+    "trials": (".in_fem.", ".fem_believed"),
     "study": (".experiments", ".cores[].simulation.effects[].parameters[]"),
 }
 

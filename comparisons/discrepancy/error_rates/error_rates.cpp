@@ -97,6 +97,7 @@ std::vector<ErrorRates> error_rates_of(const MeasuredDesign& design, const std::
   ErrorRates of_points{.noise_share = noise, .true_means = true_where(verdict)};
   ErrorRates in_fem{.in_fem = true, .true_means = true_where(verdict)};
   for (const TrialRecord& trial : trials) {
+    if (trial.truth.believed != "lumped") continue;
     if (!trial.truth.ball.empty())
       count(trial, verdict, in_fem);
     else if (trial.truth.noise_share == noise && (trial.outcome.speeds <= few_speeds) == few)

@@ -139,6 +139,8 @@ void append_truth(std::vector<TableField>& fields) {
   fields.push_back(field("noise_share", truth, &TrialTruth::noise_share));
   fields.push_back(field("ball", truth, &TrialTruth::ball));
   fields.back().may_be_absent = true;
+  fields.push_back(field("believed", truth, &TrialTruth::believed));
+  fields.back().may_be_absent = true;
 }
 
 TableField said_field(const std::string& name, std::string TrialAnswer::*member) {

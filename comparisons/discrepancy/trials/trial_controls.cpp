@@ -47,7 +47,7 @@ TrialAnswer lowest_information_criterion(const Diagnosis& d) {
 }
 
 TrialAnswer sparse_regression_answer(const Diagnosis& d) {
-  if (!is_fitted(d)) return not_enough_data();
+  if (!is_fitted(d) || d.believed.fit.model->fem() != nullptr) return not_enough_data();
   const EffectFamily family = regress_residual_force(*d.seen, d.believed.fit).family;
   if (family == EffectFamily::none) return answer_of_set({}, {});
   return {

@@ -19,7 +19,8 @@ namespace rebound {
 TrialAnswer lowest_information_criterion(const Diagnosis& diagnosis);
 
 /// The family that terms of deflection and rate say, regressed on what the believed model leaves
-/// over (regress_residual_force); no names.
+/// over (regress_residual_force); no names. A believed FE model has no such terms: it says
+/// "insufficient-data" there.
 TrialAnswer sparse_regression_answer(const Diagnosis& diagnosis);
 
 /// Nothing or one of the families, each as likely, and of the family one effect that the believed

@@ -125,12 +125,25 @@ report::Section score_section(const std::string& title, const TrialScores& score
 }
 
 /// Balls in finite elements, beside those of a law.
-report::Section fem_section(const TrialScores& scores) {
-  report::Section section = score_section("Balls in finite elements", scores);
+report::Section fem_section(const std::string& title, const TrialScores& scores) {
+  report::Section section = score_section(title, scores);
   if (!scores.confusion.empty())
     section.blocks.push_back(confusion_matrix(scores.confusion, "By family, in finite elements",
                                               "hidden family", "what was said"));
   return section;
+}
+
+constexpr auto believed_title = "Balls in finite elements, and finite elements believed";
+
+/// A page without balls that obey a law.
+report::Report fem_report(const TrialScores& scores) {
+  report::Report page = trial_report(scores.in_fem ? *scores.in_fem : *scores.fem_believed);
+  page.title = std::string("Blind trials of the diagnosis: balls in finite elements") +
+               (scores.in_fem ? "" : ", and finite elements believed");
+  if (scores.in_fem && scores.fem_believed)
+    page.sections.insert(page.sections.begin() + 1,
+                         fem_section(believed_title, *scores.fem_believed));
+  return page;
 }
 
 std::string subtitle_of(const TrialScores& scores) {
@@ -157,11 +170,7 @@ std::string headline_of(const TrialScores& scores) {
 }  // namespace
 
 report::Report trial_report(const TrialScores& scores) {
-  if (scores.in_fem && scores.trials == 0) {
-    report::Report page = trial_report(*scores.in_fem);
-    page.title = "Blind trials of the diagnosis: balls in finite elements";
-    return page;
-  }
+  if (scores.trials == 0 && (scores.in_fem || scores.fem_believed)) return fem_report(scores);
   report::Report page{.title = "Blind trials of the diagnosis",
                       .subtitle = subtitle_of(scores),
                       .headline = headline_of(scores),
@@ -173,7 +182,10 @@ report::Report trial_report(const TrialScores& scores) {
                                         "not one error rate.",
                                         scores.protocols.size())});
   page.sections.push_back(score_section("Scores", scores));
-  if (scores.in_fem) page.sections.push_back(fem_section(*scores.in_fem));
+  if (scores.in_fem)
+    page.sections.push_back(fem_section("Balls in finite elements", *scores.in_fem));
+  if (scores.fem_believed)
+    page.sections.push_back(fem_section(believed_title, *scores.fem_believed));
   report::Section power{.title = "Power", .blocks = {}};
   for (const RateTable& rates : scores.rates)
     if (rates.by == "visible_chi_square" && !rates.rows.empty()) {

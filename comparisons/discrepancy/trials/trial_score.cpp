@@ -204,12 +204,20 @@ TrialScores score_alike(const TrialCollection& trials, GatesOf gates) {
 }  // namespace
 
 TrialScores score_trials(const TrialCollection& trials) {
-  TrialCollection of_points{.records = {}, .protocols = trials.protocols}, in_fem = of_points;
+  TrialCollection of_points{.records = {}, .protocols = trials.protocols}, in_fem = of_points,
+                                                                           fem_believed = of_points;
   for (const TrialRecord& record : trials.records)
-    (record.truth.ball.empty() ? of_points : in_fem).records.push_back(record);
+    (record.truth.ball.empty()           ? of_points
+     : record.truth.believed == "lumped" ? in_fem
+                                         : fem_believed)
+        .records.push_back(record);
   TrialScores scores = score_alike(of_points, gates_of);
-  if (!in_fem.records.empty())
-    scores.in_fem = std::make_shared<const TrialScores>(score_alike(in_fem, gates_in_fem_of));
+  const auto apart = [](const TrialCollection& some) -> std::shared_ptr<const TrialScores> {
+    if (some.records.empty()) return nullptr;
+    return std::make_shared<const TrialScores>(score_alike(some, gates_in_fem_of));
+  };
+  scores.in_fem = apart(in_fem);
+  scores.fem_believed = apart(fem_believed);
   return scores;
 }
 

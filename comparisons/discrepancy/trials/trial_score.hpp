@@ -34,6 +34,8 @@ struct TrialScores {
   std::map<std::string, Share> false_alarms_by_ball;  ///< of balls in finite elements
   /// Of balls in finite elements, apart from all others; null where there are none.
   std::shared_ptr<const TrialScores> in_fem;
+  /// Of those of them whose believed model is in finite elements, too; apart from `in_fem`.
+  std::shared_ptr<const TrialScores> fem_believed;
 };
 
 /// Scores outcomes against truths, trial by trial.
@@ -44,7 +46,8 @@ struct TrialScores {
 ///   in the set     it stands in a candidate
 ///   wrong name     one effect is named, and it is another
 ///   abstained      a gap, but no family; or no gap, though the effect shows
-///   in FE          trials of balls in finite elements are scored by themselves
+///   in FE          trials of balls in finite elements are scored by themselves, and those in which
+///                  such a ball is believed, too, again by themselves
 ///   unseen gap     where it is above three deviations of its noise, four fifths of it are gone
 TrialScores score_trials(const TrialCollection& trials);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -20,9 +21,16 @@ std::string header_of(const std::vector<TableField>& fields) {
   return joined(names, ',');
 }
 
-std::vector<TableField> fields_of_earlier_tables() {
+/// Of the table with this header: earlier ones end their truth with fewer columns.
+/// Nothing: no table of trials.
+std::optional<std::vector<TableField>> fields_of(const std::string& header) {
   std::vector<TableField> fields = table_fields();
-  std::erase_if(fields, [](const TableField& one) { return one.may_be_absent; });
+  while (header != header_of(fields)) {
+    const auto newest = std::find_if(fields.rbegin(), fields.rend(),
+                                     [](const TableField& one) { return one.may_be_absent; });
+    if (newest == fields.rend()) return std::nullopt;
+    fields.erase(std::next(newest).base());
+  }
   return fields;
 }
 
@@ -91,7 +99,7 @@ TrialCollection read_trial_table(const std::filesystem::path& file) {
 
 TrialCollection trial_table_of(const std::string& text, const std::string& name) {
   std::istringstream in(text);
-  std::vector<TableField> fields = table_fields();
+  std::vector<TableField> fields;
   TrialCollection trials;
   ErrorLocation where{.file = name};
   bool has_header = false;
@@ -100,12 +108,12 @@ TrialCollection trial_table_of(const std::string& text, const std::string& name)
     if (line.starts_with(protocol_mark)) {
       read_protocol_line(line, where, trials.protocols);
     } else if (!has_header) {
-      if (std::vector<TableField> earlier = fields_of_earlier_tables(); line == header_of(earlier))
-        fields = std::move(earlier);
-      where.allowed = header_of(fields);
-      if (line != where.allowed)
+      const auto own = fields_of(line);
+      if (!own) {
+        where.allowed = header_of(table_fields());
         throw Error(ExitCode::corrupt_store, "is not the header of a table of trials", where);
-      where.allowed.clear();
+      }
+      fields = *own;
       has_header = true;
     } else {
       trials.records.push_back(record_of(line, fields, where));

@@ -195,19 +195,28 @@ std::string text_of_one_kind(const TrialScores& scores) {
 
 Json to_json(const TrialScores& scores) {
   Json json = of_one_kind(scores);
-  json["in_fem"] = nullptr;
-  if (!scores.in_fem) return json;
-  Json in_fem = of_one_kind(*scores.in_fem);
-  for (const char* shared : {"schema", "complete", "protocols"}) in_fem.erase(shared);
-  in_fem["false_alarms_by_ball"] = shares_json(scores.in_fem->false_alarms_by_ball);
-  json["in_fem"] = in_fem;
+  const auto apart = [](const std::shared_ptr<const TrialScores>& some) -> Json {
+    if (!some) return nullptr;
+    Json own = of_one_kind(*some);
+    for (const char* shared : {"schema", "complete", "protocols"}) own.erase(shared);
+    own["false_alarms_by_ball"] = shares_json(some->false_alarms_by_ball);
+    return own;
+  };
+  json["in_fem"] = apart(scores.in_fem);
+  json["fem_believed"] = apart(scores.fem_believed);
   return json;
 }
 
 std::string to_text(const TrialScores& scores) {
-  if (!scores.in_fem) return text_of_one_kind(scores);
-  const std::string in_fem = "IN FINITE ELEMENTS\n\n" + text_of_one_kind(*scores.in_fem);
-  return scores.trials == 0 ? in_fem : text_of_one_kind(scores) + "\n" + in_fem;
+  std::string text;
+  const auto append = [&text](const std::string& title, const TrialScores& some) {
+    text += (text.empty() ? "" : "\n") + title + text_of_one_kind(some);
+  };
+  if (scores.trials > 0 || (!scores.in_fem && !scores.fem_believed)) append("", scores);
+  if (scores.in_fem) append("IN FINITE ELEMENTS\n\n", *scores.in_fem);
+  if (scores.fem_believed)
+    append("IN FINITE ELEMENTS, AND FINITE ELEMENTS BELIEVED\n\n", *scores.fem_believed);
+  return text;
 }
 
 }  // namespace rebound

@@ -49,6 +49,7 @@ TrialTruth truth_of(const Json& json) {
                    .noise_colour = json.at("noise").at("colour"),
                    .noise_stated = json.at("noise").at("stated"),
                    .ball = json.contains("ball") ? json.at("ball").at("material") : Json(""),
+                   .believed = json.value("believed", "lumped"),
                    .noise_share = json.at("noise").at("share_of_smallest_baseline_peak")};
   for (const Json& effect : json.at("effects")) truth.effects.push_back(effect_of(effect));
   return truth;

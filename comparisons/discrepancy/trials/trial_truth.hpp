@@ -29,6 +29,8 @@ struct TrialTruth {
   std::string noise_colour, noise_stated;
   /// What a ball in finite elements is made of; empty: a ball that obeys a law of a point.
   std::string ball;
+  /// Tier of the believed model: "lumped", or "fem" of a ball in finite elements alone.
+  std::string believed = "lumped";
   double noise_share = 0.0;  ///< one deviation over the smallest peak force of the believed model
 };
 

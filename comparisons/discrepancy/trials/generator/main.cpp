@@ -128,7 +128,8 @@ int generate(const Options& options) {
   }
   trials::TrialFolder folder(options.out);
   for (int number = 1; number <= options.count; ++number)
-    folder.add(trials::make_trial({options.seed, options.set, number, options.only, fem, options.believe_fem}));
+    folder.add(trials::make_trial(
+        {options.seed, options.set, number, options.only, fem, options.believe_fem}));
   fmt::print("{} trials in {}\n", options.count, options.out);
   return done;
 }

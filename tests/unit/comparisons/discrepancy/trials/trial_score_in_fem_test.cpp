@@ -67,5 +67,23 @@ TEST(TrialScoreInFemTest, BallsInFiniteElementsAreScoredByThemselves) {
             nullptr);
 }
 
+TEST(TrialScoreInFemTest, BallsThatAreBelievedInFiniteElementsAreScoredByThemselves) {
+  TrialTruth asked = hidden(1, "memory", "relaxation"), doubted = hidden(2, "memory", "relaxation");
+  asked.ball = doubted.ball = "foam";
+  doubted.believed = "fem";
+  const TrialCollection trials = trials_of(
+      {said(1, "unexplained"), said(2, "missing", "memory", "relaxation")}, {asked, doubted});
+  const TrialScores scores = score_trials(trials);
+  EXPECT_EQ(scores.trials, 0);
+  EXPECT_EQ(scores.in_fem->trials, 1);
+  EXPECT_EQ(gate(*scores.in_fem, "family right").share.count, 0);
+  ASSERT_NE(scores.fem_believed, nullptr);
+  EXPECT_EQ(gate(*scores.fem_believed, "family right").share.count, 1);
+  EXPECT_EQ(to_json(scores).at("fem_believed").at("trials"), 1);
+  EXPECT_EQ(to_json(*scores.in_fem).at("fem_believed"), nullptr);
+  EXPECT_NE(to_text(scores).find("FINITE ELEMENTS BELIEVED"), std::string::npos);
+  EXPECT_NO_THROW(report::check_report(trial_report(scores)));
+}
+
 }  // namespace
 }  // namespace rebound

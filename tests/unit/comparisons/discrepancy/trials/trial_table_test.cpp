@@ -64,8 +64,11 @@ TEST(TrialTableTest, ATableWithoutTheColumnOfBallsIsOfBallsThatObeyALaw) {
   const testing::TemporaryFolder folder;
   TrialCollection trials = examples();
   trials.records[0].truth.ball = "foam; nu 0.3";
+  trials.records[0].truth.believed = "fem";
   const std::string text = table_csv(trials);
-  EXPECT_EQ(read_trial_table(folder.write("t.csv", text)).records[0].truth.ball, "foam; nu 0.3");
+  const TrialTruth whole = read_trial_table(folder.write("t.csv", text)).records[0].truth;
+  EXPECT_EQ(whole.ball, "foam; nu 0.3");
+  EXPECT_EQ(whole.believed, "fem");
   std::string earlier;
   std::size_t column = 0;
   for (const std::string& line : parts_of(text, '\n')) {
@@ -74,13 +77,15 @@ TEST(TrialTableTest, ATableWithoutTheColumnOfBallsIsOfBallsThatObeyALaw) {
       if (column == 0)
         column = static_cast<std::size_t>(std::find(fields.begin(), fields.end(), "ball") -
                                           fields.begin());
-      fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(column));
+      const auto first = fields.begin() + static_cast<std::ptrdiff_t>(column);
+      fields.erase(first, first + 2);  // and what is believed, which came later
     }
     if (!line.empty()) earlier += joined(fields, ',') + "\n";
   }
   const TrialCollection read = read_trial_table(folder.write("e.csv", earlier));
   ASSERT_EQ(read.records.size(), trials.records.size());
   EXPECT_EQ(read.records[0].truth.ball, "");
+  EXPECT_EQ(read.records[0].truth.believed, "lumped");
   EXPECT_EQ(read.records[1].outcome.said, trials.records[1].outcome.said);
 }
 
