@@ -23,12 +23,12 @@ void drop_candidates(Diagnosis& diagnosis);
 /// What the speed that was kept from every fit says of a verdict that names something, once it
 /// has been predicted before and after.
 ///
-///   χ² before, or after, within the noise   the gap does not show there: the family, without a name
-///   neither, and less than half removed     the candidate does not predict: unexplained
-///   a fault of all shots, and χ² rises by   it would be there, too: unexplained
-///   more than comes close
-///   χ² before within the noise, not better  of a gap that noise could make, with rivals of several
-///   after                                   families: the believed model stands
+/// - χ² before, or after, within the noise: no gap shows there; the family, without a name.
+/// - Neither, and less than half removed: the candidate does not predict; unexplained.
+/// - A fault of all shots, and χ² rises by more than comes close: it would be there, too;
+///   unexplained.
+/// - χ² before within the noise, not better after, of a gap that noise could make, with rivals of
+///   several families: the believed model stands.
 ///
 /// A prediction that is better is no proof of a name; one that is not better is proof against it.
 void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis, const SelectionRules& rules);
