@@ -39,6 +39,14 @@ bool is_no_gap_worth_having(const Diagnosis& d, const SelectionRules& rules, dou
          *d.gap.held_out_before - 1.0 <= noise && *d.gap.held_out_after >= *d.gap.held_out_before;
 }
 
+/// Beside FE's own part, χ² of the believed model is that of its errors, and the unseen speed shows
+/// no gap. What its cells and effects still find is as large as what a mesh gets wrong: its errors
+/// are of no noise, and known to a factor.
+bool is_within_errors_of_fem(const Diagnosis& d, const SelectionRules& rules, double noise) {
+  return d.model_discrepancy != nullptr && d.believed.p_value > rules.smallest_adequate_p &&
+         *d.gap.held_out_before - 1.0 <= noise;
+}
+
 void let_the_believed_model_stand(Diagnosis& d) {
   d.withheld = fmt::format(
       "{} of {} candidates explains a little that noise could do as well, and at the unseen speed "
@@ -47,6 +55,8 @@ void let_the_believed_model_stand(Diagnosis& d) {
       *d.gap.held_out_after);
   drop_candidates(d);
   d.verdict = DiagnosisVerdict::agrees;
+  d.family = EffectFamily::none;
+  d.fault.clear();
 }
 
 /// A fault that all shots share would be there at the unseen speed, too; one of a single shot is
@@ -131,7 +141,8 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& r
   if (d.selection.indistinguishable.empty()) return;  // the repair of a formula alone
   constexpr double deviations = 3.0, worth_having = 0.5;
   const double noise = deviations * d.gap.held_out_noise;
-  if (is_no_gap_worth_having(d, rules, noise)) return let_the_believed_model_stand(d);
+  if (is_no_gap_worth_having(d, rules, noise) || is_within_errors_of_fem(d, rules, noise))
+    return let_the_believed_model_stand(d);
   const double excess = *d.gap.held_out_before - 1.0;
   const double removed = *d.gap.held_out_before - std::max(1.0, *d.gap.held_out_after);
   if (excess > noise && removed >= worth_having * excess) return;

@@ -29,6 +29,8 @@ void drop_candidates(Diagnosis& diagnosis);
 ///   unexplained.
 /// - χ² before within the noise, not better after, of a gap that noise could make, with rivals of
 ///   several families: the believed model stands.
+/// - χ² before within the noise, and that of the fit within its errors, FE's own among them: the
+///   believed model stands.
 ///
 /// A prediction that is better is no proof of a name; one that is not better is proof against it.
 void withhold_what_the_unseen_speed_denies(Diagnosis& diagnosis, const SelectionRules& rules);

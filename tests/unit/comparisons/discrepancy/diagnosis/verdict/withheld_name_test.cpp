@@ -164,5 +164,37 @@ TEST(WithheldNameTest, AFaultThatOnlyMakesTheUnseenSpeedWorseIsNone) {
   EXPECT_EQ(said("odd-shot", 10.0), DiagnosisVerdict::measurement_fault);
 }
 
+/// A family that explains what is no more than FE's own errors, and is not seen where none looked.
+Diagnosis small_gap_beside_fem() {
+  Diagnosis d = small_gap();
+  d.verdict = DiagnosisVerdict::family;
+  d.family = EffectFamily::elastic;
+  d.model_discrepancy = std::make_shared<const ModelDiscrepancy>();
+  d.gap.held_out_after = 1.0;
+  return d;
+}
+
+TEST(WithheldNameTest, WhatIsWithinTheErrorsOfFemIsNoGap) {
+  Diagnosis d = small_gap_beside_fem();
+  d.fault = "hum";
+  withhold_what_the_unseen_speed_denies(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::agrees);
+  EXPECT_EQ(d.family, EffectFamily::none);
+  EXPECT_TRUE(d.fault.empty());
+}
+
+// Each condition alone keeps the family.
+TEST(WithheldNameTest, WhatIsBeyondTheErrorsOfFemKeepsItsFamily) {
+  Diagnosis d = small_gap_beside_fem();
+  d.believed.p_value = 1e-4;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family);
+  d = small_gap_beside_fem();
+  d.model_discrepancy = nullptr;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family);
+  d = small_gap_beside_fem();
+  d.gap.held_out_before = 1.3;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family);
+}
+
 }  // namespace
 }  // namespace rebound
