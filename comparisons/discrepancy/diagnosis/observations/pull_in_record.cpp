@@ -75,7 +75,9 @@ SampleRange with_pull(SampleRange contact, const std::vector<double>& force, dou
   const std::size_t end = blocks.end_of_pull(contact.last, contact.last + contact.count());
   const std::size_t as_long_again = end + (end - contact.last);
   contact.first = std::max(blocks.begin_of_pull(contact.first), fewest_quiet);
-  if (!blocks.pushes_between(end, as_long_again)) contact.last = end;
+  // A record that ends before cannot tell a pull from a plate that swings back.
+  if (as_long_again < force.size() && !blocks.pushes_between(end, as_long_again))
+    contact.last = end;
   return contact;
 }
 

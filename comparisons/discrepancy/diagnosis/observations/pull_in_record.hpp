@@ -20,6 +20,8 @@ namespace rebound {
 ///
 /// Caution: an amplifier's undershoot is taken for a pull. It is kept for the fits, which tell
 ///          both apart.
+/// Valid:   records that go on for twice as long as the pull; in shorter ones it is not told from a
+///          plate that swings back, and stays out.
 /// Limit:   a plate that rings comes back above zero before as long again, and stays out
 ///          -> test PullInRecordTest.ARingIsNone. A record without a pull is unchanged
 ///          -> test PullInRecordTest.ThereIsNoneInAPush.

@@ -43,8 +43,9 @@ bool is_no_gap_worth_having(const Diagnosis& d, const SelectionRules& rules, dou
 /// no gap. What its cells and effects still find is as large as what a mesh gets wrong: its errors
 /// are of no noise, and known to a factor.
 bool is_within_errors_of_fem(const Diagnosis& d, const SelectionRules& rules, double noise) {
-  return d.model_discrepancy != nullptr && d.believed.p_value > rules.smallest_adequate_p &&
-         *d.gap.held_out_before - 1.0 <= noise;
+  constexpr double settled = 0.01;  // of the peak force: FE that errs by more tells nothing apart
+  return d.model_discrepancy != nullptr && d.model_discrepancy->numerical_uncertainty <= settled &&
+         d.believed.p_value > rules.smallest_adequate_p && *d.gap.held_out_before - 1.0 <= noise;
 }
 
 void let_the_believed_model_stand(Diagnosis& d) {

@@ -62,6 +62,12 @@ TEST(PullInRecordTest, ARingIsNone) {
   EXPECT_EQ(with_pull(pushing, force, 0.0).last, pushing.last);
 }
 
+TEST(PullInRecordTest, ARecordThatEndsTooSoonDoesNotTellItFromARing) {
+  std::vector<double> force = pulled(quiet + push, 90);
+  force.resize(quiet + push + 120);
+  EXPECT_EQ(with_pull(pushing, force, 0.0).last, pushing.last);
+}
+
 TEST(PullInRecordTest, NoiseAndRoundingAreNone) {
   EXPECT_EQ(with_pull(pushing, pulled(quiet + push, 90, noise), 0.0).last, pushing.last);
   EXPECT_EQ(with_pull(pushing, pulled(quiet + push, 90), 40.0).last, pushing.last);

@@ -194,6 +194,11 @@ TEST(WithheldNameTest, WhatIsBeyondTheErrorsOfFemKeepsItsFamily) {
   d = small_gap_beside_fem();
   d.gap.held_out_before = 1.3;
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family);
+  d = small_gap_beside_fem();
+  ModelDiscrepancy coarse;
+  coarse.numerical_uncertainty = 0.1;
+  d.model_discrepancy = std::make_shared<const ModelDiscrepancy>(coarse);
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family) << "everything is within such errors";
 }
 
 }  // namespace
