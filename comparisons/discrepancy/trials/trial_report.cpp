@@ -137,10 +137,15 @@ constexpr auto believed_title = "Balls in finite elements, and finite elements b
 
 /// A page without balls that obey a law.
 report::Report fem_report(const TrialScores& scores) {
-  report::Report page = trial_report(scores.in_fem ? *scores.in_fem : *scores.fem_believed);
-  page.title = std::string("Blind trials of the diagnosis: balls in finite elements") +
-               (scores.in_fem ? "" : ", and finite elements believed");
-  if (scores.in_fem && scores.fem_believed)
+  const std::string title = "Blind trials of the diagnosis: balls in finite elements";
+  if (!scores.in_fem) {
+    report::Report page = trial_report(*scores.fem_believed);
+    page.title = title + ", and finite elements believed";
+    return page;
+  }
+  report::Report page = trial_report(*scores.in_fem);
+  page.title = title;
+  if (scores.fem_believed)
     page.sections.insert(page.sections.begin() + 1,
                          fem_section(believed_title, *scores.fem_believed));
   return page;
