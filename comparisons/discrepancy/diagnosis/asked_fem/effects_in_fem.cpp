@@ -88,11 +88,7 @@ bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& uns
 
 /// Is the fit that comes nearest one with an effect of the surface?
 bool surface_leads(const EffectSelection& selection) {
-  if (selection.tried.empty()) return false;
-  const std::vector<EffectChoice>& effects = selection.tried.front().fit.effects;
-  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
-    return find_effect(one.name).card.family == EffectFamily::surface;
-  });
+  return !selection.tried.empty() && act_on_the_surface(selection.tried.front().fit.effects);
 }
 
 /// FE without an effect comes near; or the data look like a pull, which keeps a ball of FE without

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -10,6 +11,13 @@ namespace rebound {
 
 /// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
 inline constexpr double left_by_fem = 1.5;
+
+/// Does one of these act as soon as there is contact, and not as the contact grows?
+inline bool act_on_the_surface(const std::vector<EffectChoice>& effects) {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.family == EffectFamily::surface;
+  });
+}
 
 /// A ball in FE, fitted to the histories of some shots.
 struct FittedFem {

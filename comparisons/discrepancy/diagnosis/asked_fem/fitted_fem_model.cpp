@@ -73,13 +73,6 @@ std::vector<ModelledImpact> run_shots(const Observations& seen,
   return impacts;
 }
 
-/// Does one of these act as soon as there is contact, and not as the contact grows?
-bool pulls_at_first_touch(const std::vector<EffectChoice>& effects) {
-  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
-    return find_effect(one.name).card.family == EffectFamily::surface;
-  });
-}
-
 CalibrationControls controls_in_fem() {
   return {.relative_step = difference_step,
           .differences = Differences::one_sided,
@@ -128,7 +121,7 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   FirstTouches touches;
   for (const std::size_t shot : shots)
     touches[shot] = lumped.model->first_touch(lumped.values, shot);
-  if (near && pulls_at_first_touch(effects)) {
+  if (near && act_on_the_surface(effects)) {
     // The material is that of a fit: what is left of the start is the effect's.
     std::vector<double> first;
     for (const CalibrationParameter& one : calibration.parameters) first.push_back(one.start);

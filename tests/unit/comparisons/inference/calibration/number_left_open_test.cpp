@@ -20,5 +20,17 @@ TEST(NumberLeftOpenTest, IsNoUnknown) {
   EXPECT_EQ(EffectUnknowns({stated}, false, in_lumped).places(0).size(), 1u);
 }
 
+/// No spectrum of relaxation times softens with rate; the lumped exponent may.
+TEST(RangeInFemTest, BoundsTheSearchesThereAlone) {
+  const EffectChoice softer{"rate-stiffening", -0.001, {}};
+  std::vector<CalibrationParameter> in_fem, in_lumped;
+  const EffectUnknowns of_fem({softer}, true, in_fem), of_law({softer}, false, in_lumped);
+  ASSERT_EQ(in_fem.size(), 1u);
+  EXPECT_GT(in_fem[0].lowest, 0.0);
+  EXPECT_GE(in_fem[0].start, in_fem[0].lowest);
+  EXPECT_LT(in_fem[0].highest, 1.0);
+  EXPECT_EQ(in_lumped[0].start, -0.001);
+}
+
 }  // namespace
 }  // namespace rebound
