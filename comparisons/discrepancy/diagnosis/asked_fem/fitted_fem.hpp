@@ -23,6 +23,7 @@ inline bool act_on_the_surface(const std::vector<EffectChoice>& effects) {
 struct FittedFem {
   Material material;
   std::vector<EffectChoice> effects;  ///< with fitted numbers
+  std::vector<double> records;        ///< scale and start of every shot, as they were fitted
   double chi_square = 0.0;            ///< Σ r² over histories and priors
   std::size_t samples = 0;            ///< of the histories
   double effect_unknowns = 0.0;       ///< fitted numbers of the effects

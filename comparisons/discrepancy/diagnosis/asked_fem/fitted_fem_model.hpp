@@ -10,21 +10,14 @@
 
 namespace rebound {
 
-/// Where fit_fem_material() starts: Hertz from the lumped peak of the first of `shots`, less what
-/// the branch adds.
-/// Errors: Error(solver_failed) without a shot.
-Material guess_fem_material(const Observations& seen, const std::vector<std::size_t>& shots,
-                            const HypothesisFit& lumped);
-
 /// FE's own idea of a ball that hides nothing but these effects.
 ///
-///   elastic neo-Hookean sphere with one branch; unknown are its modulus, its Poisson ratio within
-///   0.1 to 0.45, strength and time of the branch, which has faded within a twelfth of the contact
-///   (loss without memory), the numbers of the effects, and for each shot the start and the scale
-///   of the force within what gain and speed leave open
+///   unknown are the numbers of its material (MaterialUnknowns), those of the effects, and for each
+///   shot the start and the scale of the force within what gain and speed leave open
 ///
 ///   effects    where their numbers start; none: FE with nothing hidden
-///   near       where the material starts, of a fit without effects; null: guess_fem_material()
+///   near       the kind of material and where it starts, of a fit without effects; null:
+///              guess_fem_material()
 ///
 /// Caution: an error of the speed is taken as one of the force's scale alone,
 ///          F ~ v^1.2; the loss is what a fast branch gives, whatever the

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
-#include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/settled_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/record_of_impact.hpp"
-#include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -40,14 +39,6 @@ Observations as_observed(const Ball& ball, const std::vector<Impact>& impacts,
                           .restitution = {.value = results[i].scalars.restitution}});
   }
   return seen;
-}
-
-/// What `second` has more of each scalar than `first`.
-ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& second) {
-  ScalarShares shares;
-  for (std::size_t k = 0; k < shares.size(); ++k)
-    shares[k] = second.*scalar_quantities[k].modelled / first.*scalar_quantities[k].modelled - 1.0;
-  return shares;
 }
 
 DiscrepancyCurve curve_of(const HypothesisFit& fit, std::size_t shot, const Impact& impact,
@@ -117,95 +108,45 @@ Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scala
   return sum;
 }
 
-namespace {
-
-/// What FE says of one ball, on a mesh and on one of half the edge.
-struct BallInFem {
-  std::vector<ModelledImpact> impacts;  ///< on the finer mesh
-  std::vector<KnownDifferences> known;  ///< what that mesh adds, at these speeds alone
-  double error = 0.0;                   ///< of their histories, over the peak
-  ScalarShares scalar_errors{};         ///< of their scalars
-};
-
-BallInFem run_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,
-                   const FemBelief& coarse, const FemBelief& fine) {
-  // Of what half the edge changes, 1/(2^p - 1) is missing yet; at the edge of a contact p is 3/2.
-  constexpr double still_missing = 0.547;
-  BallInFem result;
-  result.impacts.resize(impacts.size());
-  result.known.resize(impacts.size());
-  std::vector<double> errors(impacts.size());
-  std::vector<ScalarShares> added(impacts.size());
-  in_parallel(impacts.size(), [&](std::size_t i) {
-    const ModelledImpact before = coarse.run(ball, impacts[i], fitted.material, fitted.effects);
-    result.impacts[i] = fine.run(ball, impacts[i], fitted.material, fitted.effects);
-    errors[i] = still_missing * history_difference(before, result.impacts[i]);
-    added[i] = shares_added(before.scalars, result.impacts[i].scalars);
-    result.known[i] = {.ball = ball,
-                       .speed = impacts[i].speed,
-                       .finer = difference_between(before, result.impacts[i]),
-                       .faster = {},
-                       .reach = 0.0};
-  });
-  result.error = *std::max_element(errors.begin(), errors.end());
-  for (const ScalarShares& shares : added)
-    for (std::size_t k = 0; k < shares.size(); ++k)
-      result.scalar_errors[k] =
-          std::max(result.scalar_errors[k], still_missing * std::abs(shares[k]));
-  return result;
-}
-
-}  // namespace
-
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
                                            const HypothesisFit& fit, const OwnMesh& own,
                                            const std::vector<EffectChoice>& plates,
                                            const RunControl& control) {
   FemProblem problem;
   problem.mesh_file = own.file;
-  ModelDiscrepancy gap;
-  gap.balls = fit_own_balls(all, seen, fit, problem, plates, control);
-  std::vector<Material> materials;
-  for (const FittedFem& ball : gap.balls) materials.push_back(ball.material);
-  constexpr int one_halving = 1;
-  const FemBelief coarse(problem, all, materials, search_cells, control);
-  const FemBelief fine(problem, all, materials, search_cells, control, one_halving);
-  gap.cells = {coarse.cells(), fine.cells()};
-  std::vector<KnownDifferences> known;
+  const SettledBalls settled = settle_balls(all, seen, fit, problem, plates, control);
+  ModelDiscrepancy gap{.curves = {},
+                       .numerical_uncertainty = settled.errors.of_history,
+                       .scalar_uncertainty = settled.errors.of_scalars,
+                       .cells = settled.cells,
+                       .balls = settled.balls,
+                       .fem = settled.fem};
   Hypothesis hypothesis = fit.hypothesis;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     if (!is_hit(all, ball)) continue;
+    const FittedFem& own_ball = gap.balls[ball];
     const std::vector<Impact> impacts = impacts_of(all, ball);
-    const BallInFem in_fem = run_ball(ball, impacts, gap.balls[ball], coarse, fine);
-    gap.numerical_uncertainty = std::max(gap.numerical_uncertainty, in_fem.error);
-    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
-      gap.scalar_uncertainty[k] = std::max(gap.scalar_uncertainty[k], in_fem.scalar_errors[k]);
-    known.insert(known.end(), in_fem.known.begin(), in_fem.known.end());
-    const Observations as_data = as_observed(all.balls[ball], impacts, in_fem.impacts);
+    std::vector<ModelledImpact> in_fem(impacts.size());
+    in_parallel(impacts.size(), [&](std::size_t i) {
+      in_fem[i] = gap.fem->run(ball, impacts[i], own_ball.material, own_ball.effects);
+    });
     hypothesis.effects = effects_of_ball(fit.effects, ball);
-    hypothesis.effects.insert(hypothesis.effects.end(), gap.balls[ball].effects.begin(),
-                              gap.balls[ball].effects.end());
+    hypothesis.effects.insert(hypothesis.effects.end(), own_ball.effects.begin(),
+                              own_ball.effects.end());
+    const Observations as_data = as_observed(all.balls[ball], impacts, in_fem);
     const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
-      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem.impacts[i]));
+      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem[i]));
       gap.curves.back().ball = ball;
     }
   }
-  gap.fem = std::make_shared<const FemBelief>(coarse.with(std::move(known)));
   return gap;
 }
 
 Observations with_numerical_uncertainty(Observations seen, const ModelDiscrepancy& gap) {
-  for (MeasuredImpact& shot : seen.shots) {
-    for (std::size_t k = 0; k < scalar_quantities.size(); ++k)
-      if (Measured& one = shot.*scalar_quantities[k].measured; one.has_error())
-        one.uncertainty = std::hypot(*one.uncertainty, gap.scalar_uncertainty[k] * *one.value);
-    if (!shot.has_history()) continue;
-    // It enters twice: in the fem_fit, and in the lumped model refitted to the fem_fit.
-    add_numerical_error(shot,
-                        std::sqrt(2.0) * gap.numerical_uncertainty * peak_of(shot.trace.force));
-  }
-  return seen;
+  // It enters twice: in the FE fit, and in the lumped model refitted to the FE fit.
+  return with_errors_of_mesh(std::move(seen), std::sqrt(2.0) * gap.numerical_uncertainty,
+                             gap.scalar_uncertainty);
 }
 
 }  // namespace rebound

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/mesh_errors.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
-#include "comparisons/io/dataset/measured_impact.hpp"
 #include "lumped/problem/result.hpp"
 #include "lumped/problem/run_control.hpp"
 #include "lumped/problem/trace.hpp"
@@ -15,10 +13,6 @@
 namespace rebound {
 
 struct HypothesisFit;
-class FemBelief;
-
-/// A share for each of scalar_quantities, in their order [-].
-using ScalarShares = std::array<double, scalar_quantities.size()>;
 
 /// What FE adds to the lumped model of one impact when nothing is hidden, free
 /// of scale.
@@ -77,17 +71,12 @@ struct OwnMesh {
 
 /// Makes the fitted FE model of a believed lumped model and measures their distance.
 ///
-///   1 of each ball FE's own material, fitted to the histories in `seen` (fit_own_balls), on a
-///   rigid
-///     plate or on one that moves
-///   2 its force histories at every speed of `all`, on a mesh of half the edge
-///   3 the lumped model refitted to those, on that plate; what is left is the gap, over time and of
-///     scalars
+///   1 FE's own idea of each ball, fitted to the histories in `seen` (settle_balls)
+///   2 its force histories at every speed of `all`
+///   3 the lumped model refitted to those, on the same plate; what is left is the gap, over time
+///     and of scalars
 ///
 ///   plates   where one may be looked for in FE, as the lumped tier has found it
-///
-/// The numerical uncertainty is 0.55 of what both meshes differ by: what order 3/2 leaves, which is
-/// that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
 ///
 /// Caution: the gap's shape is taken as independent of the numbers of the
 ///          model.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -46,6 +49,22 @@ std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observati
 
 namespace {
 
+/// What a fit costs with its numbers, where errors are as large as the best leaves them.
+double information_criterion(const FittedFem& fit, double scale) {
+  const double numbers = 2.0 + 2.0 * static_cast<double>(fit.material.branches.size());
+  return fit.chi_square / scale + numbers * std::log(static_cast<double>(fit.samples));
+}
+
+const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
+  const auto nearest =
+      std::min_element(kinds.begin(), kinds.end(),
+                       [](const auto& a, const auto& b) { return a.chi_square < b.chi_square; });
+  const double scale = std::max(1.0, nearest->chi_square / static_cast<double>(nearest->samples));
+  return *std::min_element(kinds.begin(), kinds.end(), [&](const auto& a, const auto& b) {
+    return information_criterion(a, scale) < information_criterion(b, scale);
+  });
+}
+
 /// Does the plate take half of what FE leaves without it?
 bool is_worth_having(const FittedFem& rigid, const FittedFem& moving) {
   constexpr double half = 0.5;
@@ -53,26 +72,11 @@ bool is_worth_having(const FittedFem& rigid, const FittedFem& moving) {
          half * (rigid.chi_square - static_cast<double>(rigid.samples));
 }
 
-/// On the plate that fits best, or on the rigid one.
-FittedFem fit_on_plate(const Observations& seen, const std::vector<std::size_t>& shots,
-                       const HypothesisFit& fit, const FemBelief& fem, const FittedFem& rigid,
-                       const std::vector<EffectChoice>& plates, const RunControl& control) {
-  FittedFem best = rigid;
-  for (const EffectChoice& start : plates) try {
-      FittedFem moving = fit_fem_model(seen, shots, fit, fem, {start}, &rigid, control);
-      if (moving.chi_square < best.chi_square) best = std::move(moving);
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed) throw;  // no impact from that start
-    }
-  return is_worth_having(rigid, best) ? best : rigid;
-}
-
 }  // namespace
 
-std::vector<FittedFem> fit_own_balls(const Observations& all, const Observations& seen,
-                                     const HypothesisFit& fit, const FemProblem& problem,
-                                     const std::vector<EffectChoice>& plates,
-                                     const RunControl& control) {
+std::vector<FittedFem> fit_rough_balls(const Observations& all, const Observations& seen,
+                                       const HypothesisFit& fit, const FemProblem& problem,
+                                       const RunControl& control) {
   std::vector<std::vector<std::size_t>> shots;
   std::vector<Material> guesses;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
@@ -81,13 +85,51 @@ std::vector<FittedFem> fit_own_balls(const Observations& all, const Observations
   }
   const FemBelief fem(problem, all, guesses, search_cells, control);
   std::vector<FittedFem> balls(all.balls.size());
-  for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
-    if (!is_hit(all, ball)) continue;
-    balls[ball] = fit_fem_model(seen, shots[ball], fit, fem, {}, nullptr, control);
-    if (!balls[ball].follows())
-      balls[ball] = fit_on_plate(seen, shots[ball], fit, fem, balls[ball], plates, control);
-  }
+  for (std::size_t ball = 0; ball < all.balls.size(); ++ball)
+    if (is_hit(all, ball))
+      balls[ball] = fit_fem_model(seen, shots[ball], fit, fem, {}, nullptr, control);
   return balls;
+}
+
+OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
+                       const HypothesisFit& lumped, const FemBelief& fem, const RunControl& control)
+    : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
+
+FittedFem OwnBallFit::again(const FittedFem& near) const {
+  return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_);
+}
+
+std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near) const try {
+  return again(near);
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  return std::nullopt;  // no impact from that start
+}
+
+FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
+  std::vector<FittedFem> kinds = {plain};
+  if (plain.chi_square <= static_cast<double>(plain.samples)) return plain;
+  const Material guess = guess_fem_material(seen_, shots_, lumped_);
+  for (Material& kind : other_kinds_near(plain.material, guess)) {
+    FittedFem start = plain;
+    start.material = std::move(kind);
+    if (auto other = fitted(start)) kinds.push_back(std::move(*other));
+  }
+  return least_of(kinds);
+}
+
+FittedFem OwnBallFit::on_best_plate(const FittedFem& plain, const FittedFem& rigid,
+                                    const std::vector<EffectChoice>& plates) const {
+  FittedFem best = rigid;
+  for (const FittedFem* kind : {&plain, &rigid})
+    for (const EffectChoice& plate : plates) {
+      if (kind == &rigid && rigid.material == plain.material) break;
+      FittedFem start = *kind;
+      start.effects = {plate};
+      if (auto moving = fitted(start); moving && moving->chi_square < best.chi_square)
+        best = std::move(*moving);
+    }
+  return is_worth_having(rigid, best) ? best : rigid;
 }
 
 }  // namespace rebound

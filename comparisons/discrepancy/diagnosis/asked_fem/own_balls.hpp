@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
@@ -23,18 +24,47 @@ bool is_hit(const Observations& all, std::size_t ball);
 std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
                                        std::size_t ball);
 
-/// Every ball fitted in FE (fit_fem_model), on meshes cut for a guess.
-///
-///   plates   where a plate on its load cell may be looked for. Where FE on a rigid one does not
-///            follow the data, it is fitted with the ball from each of these, and stays where it
-///            takes half of what FE left over without it.
-///
-/// Limit:  a ball of FE on a plate that moves comes out as such
-///         -> test BesideFem.AStiffPlateUnderABallOfFemIsNamed.
+/// Every ball fitted in FE as one of a single branch on a rigid plate, on meshes cut for a guess: a
+/// first look that says where to cut.
 /// Errors: as fit_fem_model().
-std::vector<FittedFem> fit_own_balls(const Observations& all, const Observations& seen,
-                                     const HypothesisFit& fit, const FemProblem& problem,
-                                     const std::vector<EffectChoice>& plates,
-                                     const RunControl& control);
+std::vector<FittedFem> fit_rough_balls(const Observations& all, const Observations& seen,
+                                       const HypothesisFit& fit, const FemProblem& problem,
+                                       const RunControl& control);
+
+/// Fits one ball in FE: what it is made of, and whether the plate under it moves.
+class OwnBallFit {
+ public:
+  /// `shots`: that FE is fitted to. All that is given must outlive it.
+  OwnBallFit(const Observations& seen, std::vector<std::size_t> shots, const HypothesisFit& lumped,
+             const FemBelief& fem, const RunControl& control);
+
+  /// Of that kind, with those effects, from those numbers.
+  /// Errors: as fit_fem_model().
+  FittedFem again(const FittedFem& near) const;
+
+  /// Of the kinds of material near a fitted one of a single branch the one with the least
+  /// information criterion.
+  /// Limit:  a ball whose branch is of the deviator comes out as such
+  ///         -> test OwnBallOfFem.MayHaveABranchOfTheDeviatorAlone
+  /// Errors: as fit_fem_model().
+  FittedFem of_best_kind(const FittedFem& plain) const;
+
+  /// A ball on the plate that fits best, from each of these starts, where a plate takes half of
+  /// what is left without it; else `rigid`, that of the best kind on a rigid plate. A plate that
+  /// rings makes another kind of a ball of a single branch (`plain`), so that both are tried on it.
+  /// Limit:  a ball of FE on a plate that moves comes out as such
+  ///         -> test BesideFem.AStiffPlateUnderABallOfFemIsNamed.
+  FittedFem on_best_plate(const FittedFem& plain, const FittedFem& rigid,
+                          const std::vector<EffectChoice>& plates) const;
+
+ private:
+  std::optional<FittedFem> fitted(const FittedFem& near) const;
+
+  const Observations& seen_;
+  std::vector<std::size_t> shots_;
+  const HypothesisFit& lumped_;
+  const FemBelief& fem_;
+  const RunControl& control_;
+};
 
 }  // namespace rebound

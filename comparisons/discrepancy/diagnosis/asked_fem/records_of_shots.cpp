@@ -79,6 +79,9 @@ std::vector<double> RecordsOfShots::residuals(const std::vector<double>& values,
     const auto r =
         whitened(shot, reported_force(contact_and_after(impacts[k], chain, time), chain, time));
     residuals.insert(residuals.end(), r.begin(), r.end());
+    if (const Measured& measured = shot.restitution; measured.has_error())
+      residuals.push_back((impacts[k].scalars.restitution - *measured.value) /
+                          *measured.uncertainty);
   }
   return residuals;
 }

@@ -11,7 +11,9 @@
 
 namespace rebound {
 
-/// Records of force of some shots beside impacts of any physics.
+/// Records of force of some shots, and the restitutions stated with them, beside impacts of any
+/// physics. Noise that wanders as slowly as a contact lasts hides in the force what a ball loses;
+/// the restitution says it.
 ///
 ///   unknowns   of every shot a scale, within what gain and speed leave open, and a start [s]
 ///
@@ -26,7 +28,8 @@ class RecordsOfShots {
   void add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
                     std::vector<CalibrationParameter>& unknowns);
 
-  /// Whitened readings less those of `impacts`, one of each shot.
+  /// Whitened readings less those of `impacts`, one of each shot, and its restitution less that
+  /// measured over its uncertainty.
   std::vector<double> residuals(const std::vector<double>& values,
                                 const std::vector<ModelledImpact>& impacts) const;
 

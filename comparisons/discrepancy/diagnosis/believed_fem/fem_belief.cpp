@@ -73,7 +73,9 @@ auto key_of(std::size_t ball, const Impact& impact, const Material& material,
                               material.poisson_ratio};
   std::vector<std::string> names;
   for (const PronyBranch& branch : material.branches)
-    numbers.insert(numbers.end(), {branch.ratio, branch.relaxation_time});
+    numbers.insert(numbers.end(),
+                   {branch.ratio, branch.relaxation_time, static_cast<double>(branch.relaxes),
+                    branch.rate_exponent, branch.reference_strain});
   for (const EffectChoice& effect : effects) {
     names.push_back(effect.name);
     numbers.push_back(effect.size);

@@ -9,6 +9,7 @@
 
 #include "comparisons/inference/calibration/whitening.hpp"
 #include "comparisons/models/effects/effect.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -47,6 +48,16 @@ std::optional<std::vector<double>> values_without_faults(const HypothesisFit& fi
   return values;
 }
 
+/// Of the record of a shot after its contact; nothing where an impact of these numbers does not
+/// end.
+std::optional<double> chi_square_after(const MeasuredImpact& shot, const HypothesisFit& fit,
+                                       const std::vector<double>& values, std::size_t i) try {
+  return chi_square_after(shot, fit.model->force_at(values, i, shot.after_contact.time));
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  return std::nullopt;
+}
+
 }  // namespace
 
 double chi_square_against_faults(const Observations& seen, const HypothesisFit& fit) {
@@ -54,10 +65,11 @@ double chi_square_against_faults(const Observations& seen, const HypothesisFit& 
   double against = 0.0;
   for (std::size_t i = 0; without && i < seen.shots.size(); ++i) {
     const MeasuredImpact& shot = seen.shots[i];
-    const std::vector<double>& time = shot.after_contact.time;
-    if (time.empty()) continue;
-    const double of_shot = chi_square_after(shot, fit.model->force_at(fit.values, i, time)) -
-                           chi_square_after(shot, fit.model->force_at(*without, i, time));
+    if (shot.after_contact.time.empty()) continue;
+    const auto with_faults = chi_square_after(shot, fit, fit.values, i);
+    const auto without_faults = chi_square_after(shot, fit, *without, i);
+    if (!with_faults || !without_faults) continue;
+    const double of_shot = *with_faults - *without_faults;
     if (of_shot > plain) return std::numeric_limits<double>::infinity();
     against += of_shot;
   }

@@ -18,8 +18,9 @@ namespace rebound {
 /// moves it as a drift does, and slow noise that passes for a drift in one shot is no drift that
 /// all share.
 ///
-/// Zero of a fit without a fault, where nothing was recorded after the contact, and where the
-/// record speaks for the fault: no fit is preferred for what it explains there.
+/// Zero of a fit without a fault, where nothing was recorded after the contact, where the impact
+/// without the fault does not end, and where the record speaks for the fault: no fit is preferred
+/// for what it explains there.
 /// Limit:  a fault of no size is not spoken against
 ///         -> test RecordAfterContactTest.ADriftThatIsThereIsNotDenied.
 /// Errors: as JointModel.

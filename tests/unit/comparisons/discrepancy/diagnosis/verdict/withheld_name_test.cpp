@@ -199,6 +199,12 @@ TEST(WithheldNameTest, WhatIsBeyondTheErrorsOfFemKeepsItsFamily) {
   coarse.numerical_uncertainty = 0.1;
   d.model_discrepancy = std::make_shared<const ModelDiscrepancy>(coarse);
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family) << "everything is within such errors";
+  d = small_gap_beside_fem();
+  d.selection.baseline.fit.chi_square = 400.0;
+  for (AssessedFit& one : d.selection.tried) one.fit.chi_square = 350.0;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+  for (AssessedFit& one : d.selection.tried) one.fit.chi_square = 330.0;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::family) << "no errors of a mesh gain as much";
 }
 
 }  // namespace

@@ -1,0 +1,79 @@
+// What a ball of FE is made of, beside a believed lumped model, where the noise is small enough to
+// show it: none of it is an effect.
+#include "tests/cli/diagnosed_experiment.hpp"
+
+namespace rebound::testing {
+namespace {
+
+std::string experiment_of(const std::string& branches) {
+  return R"(schema = 1
+name = "own"
+seed = 5
+[sphere]
+mass = "92 g"
+diameter = "65.9 mm"
+[model]
+tier = "fem"
+cells = 3000
+[model.material]
+modulus = "long-term"
+elastic = "neo-hookean"
+youngs_modulus = "11 MPa"
+poisson_ratio = 0.4
+)" + branches +
+         R"([instrument]
+force_noise = "2 N"
+force_gain_uncertainty = 0.017
+[sampling]
+rate = "100 kHz"
+before = "0.5 ms"
+after = "2 ms"
+[[shot]]
+speed = "4.3 m/s"
+speed_uncertainty = "0.03 m/s"
+[[shot]]
+speed = "9.2 m/s"
+speed_uncertainty = "0.06 m/s"
+[[shot]]
+speed = "19.6 m/s"
+speed_uncertainty = "0.13 m/s"
+)";
+}
+
+class OwnBallOfFem : public DiagnosedExperiment {
+ protected:
+  void expect_nothing_missing(const std::string& branches) {
+    const auto found = diagnosis_of(experiment_of(branches), R"(schema = 1
+[model]
+tier = "lumped"
+law = "hunt-crossley"
+stiffness = "3e6 N/m^1.5"
+damping = "50000 N.s/m^2.5"
+)");
+    EXPECT_EQ(found["verdict"], "agrees") << found["warnings"];
+    EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);
+    EXPECT_LT(found["gap"]["held_out_before"].get<double>(), 1.3);
+  }
+};
+
+/// As one branch of all stress a ball of the deviator leaves a gap of 8 to 77.
+TEST_F(OwnBallOfFem, MayHaveABranchOfTheDeviatorAlone) {
+  expect_nothing_missing(R"([[model.material.branch]]
+ratio = 1.1
+relaxation_time = "0.06 ms"
+relaxes = "deviator"
+)");
+}
+
+TEST_F(OwnBallOfFem, MayHaveTwoBranches) {
+  expect_nothing_missing(R"([[model.material.branch]]
+ratio = 0.3
+relaxation_time = "0.05 ms"
+[[model.material.branch]]
+ratio = 0.25
+relaxation_time = "0.15 ms"
+)");
+}
+
+}  // namespace
+}  // namespace rebound::testing

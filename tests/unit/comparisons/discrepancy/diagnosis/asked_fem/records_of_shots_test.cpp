@@ -1,0 +1,86 @@
+#include "comparisons/discrepancy/diagnosis/asked_fem/records_of_shots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "comparisons/discrepancy/diagnosis/asked_fem/mesh_errors.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double push_time = 1e-3, push = 1000.0;
+
+/// Half a sine, read at 50 kHz with 10 N of white noise.
+MeasuredImpact half_sine_push() {
+  MeasuredImpact shot;
+  shot.label = "10 m/s";
+  shot.impact.speed = 10.0;
+  for (int i = 0; i <= 50; ++i) {
+    shot.trace.time.push_back(i * 2e-5);
+    shot.trace.force.push_back(push * std::sin(std::numbers::pi * i / 50.0));
+  }
+  shot.noise.deviation = 10.0;
+  return shot;
+}
+
+ModelledImpact modelled_push(const MeasuredImpact& shot, double restitution) {
+  ModelledImpact impact;
+  impact.trace = shot.trace;
+  impact.trace.deflection.assign(shot.trace.time.size(), 0.0);
+  impact.scalars.restitution = restitution;
+  impact.scalars.contact_time = push_time;
+  impact.scalars.peak_force = push;
+  return impact;
+}
+
+std::vector<double> push_residuals(const Observations& seen, double restitution) {
+  const std::vector<std::size_t> shots{0};
+  RecordsOfShots records(seen, shots);
+  std::vector<CalibrationParameter> unknowns;
+  records.add_unknowns([](std::size_t) { return 0.0; }, unknowns);
+  return records.residuals({0.0, 0.0}, {modelled_push(seen.shots.front(), restitution)});
+}
+
+TEST(RecordsOfShotsTest, ARestitutionIsOneMoreResidual) {
+  Observations seen;
+  seen.shots = {half_sine_push()};
+  const auto without = push_residuals(seen, 0.75);
+  seen.shots.front().restitution = {.value = 0.8, .uncertainty = 0.01};
+  const auto with = push_residuals(seen, 0.75);
+  ASSERT_EQ(with.size(), without.size() + 1);
+  EXPECT_NEAR(with.back(), -5.0, 1e-9);
+  EXPECT_NEAR(push_residuals(seen, 0.8).back(), 0.0, 1e-9);
+  seen.shots.front().restitution.uncertainty.reset();
+  EXPECT_EQ(push_residuals(seen, 0.75).size(), without.size()) << "what has no error says nothing";
+}
+
+/// Errors of a mesh are independent of those of the data: their squares add.
+TEST(MeshErrorsTest, AddToThoseOfTheData) {
+  Observations seen;
+  seen.shots = {half_sine_push()};
+  seen.shots.front().restitution = {.value = 0.8, .uncertainty = 0.003};
+  ScalarShares shares{};
+  shares[0] = 0.005;  // of the restitution
+  const MeasuredImpact with = with_errors_of_mesh(seen, 0.01, shares).shots.front();
+  EXPECT_NEAR(*with.restitution.uncertainty, 0.005, 1e-12);
+  const auto before = push_residuals(seen, 0.75), after = push_residuals({.shots = {with}}, 0.75);
+  EXPECT_NEAR(after.back() / before.back(), 0.6, 1e-9);
+  EXPECT_EQ(with_errors_of_mesh(seen, 0.0, {}).shots.front().restitution.uncertainty,
+            seen.shots.front().restitution.uncertainty);
+}
+
+TEST(MeshErrorsTest, SharesAreThoseOfTheFirst) {
+  ImpactScalars first, second;
+  first.restitution = 0.8;
+  second.restitution = 0.76;
+  first.contact_time = first.peak_force = first.peak_deflection = first.mean_deflection = 1.0;
+  second.contact_time = second.peak_force = second.peak_deflection = second.mean_deflection = 1.5;
+  const ScalarShares shares = shares_added(first, second);
+  EXPECT_NEAR(shares[0], -0.05, 1e-12);
+  for (std::size_t k = 1; k < shares.size(); ++k) EXPECT_NEAR(shares[k], 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace rebound
