@@ -10,6 +10,7 @@ namespace {
 
 std::vector<Material> materials_of(const std::vector<FittedFem>& balls) {
   std::vector<Material> materials;
+  materials.reserve(balls.size());
   for (const FittedFem& ball : balls) materials.push_back(ball.material);
   return materials;
 }
