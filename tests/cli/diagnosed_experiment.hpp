@@ -6,6 +6,14 @@
 
 namespace rebound::testing {
 
+inline const std::string believed_lumped = R"(schema = 1
+[model]
+tier = "lumped"
+law = "hunt-crossley"
+stiffness = "3e6 N/m^1.5"
+damping = "50000 N.s/m^2.5"
+)";
+
 /// An experiment made by `synthesize`, and what `diagnose` says of it beside a believed model.
 class DiagnosedExperiment : public ProgramTest {
  protected:

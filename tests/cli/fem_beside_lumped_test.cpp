@@ -5,14 +5,6 @@
 namespace rebound::testing {
 namespace {
 
-const std::string lumped = R"(schema = 1
-[model]
-tier = "lumped"
-law = "hunt-crossley"
-stiffness = "3e6 N/m^1.5"
-damping = "50000 N.s/m^2.5"
-)";
-
 std::string experiment_of(const std::string& model, const std::string& noise) {
   return R"(schema = 1
 name = "hidden"
@@ -54,7 +46,7 @@ std::string branch(const std::string& ratio, const std::string& time) {
 class BesideFem : public DiagnosedExperiment {
  protected:
   nlohmann::json beside_lumped(const std::string& model, const std::string& noise = "15 N") {
-    return diagnosis_of(experiment_of(model, noise), lumped);
+    return diagnosis_of(experiment_of(model, noise), believed_lumped);
   }
   std::string page() const { return read_whole(folder.path() / "diagnosis/report.html"); }
 };

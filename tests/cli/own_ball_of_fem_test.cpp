@@ -43,13 +43,7 @@ speed_uncertainty = "0.13 m/s"
 class OwnBallOfFem : public DiagnosedExperiment {
  protected:
   void expect_nothing_missing(const std::string& branches) {
-    const auto found = diagnosis_of(experiment_of(branches), R"(schema = 1
-[model]
-tier = "lumped"
-law = "hunt-crossley"
-stiffness = "3e6 N/m^1.5"
-damping = "50000 N.s/m^2.5"
-)");
+    const auto found = diagnosis_of(experiment_of(branches), believed_lumped);
     EXPECT_EQ(found["verdict"], "agrees") << found["warnings"];
     EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);
     EXPECT_LT(found["gap"]["held_out_before"].get<double>(), 1.3);

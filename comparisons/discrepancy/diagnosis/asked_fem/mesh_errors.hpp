@@ -33,6 +33,8 @@ MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>&
 
 /// Data whose noise, and whose scalars' uncertainty, holds these errors as well: `of_history` over
 /// the peak of each force history.
+/// Limit:  no error of a mesh leaves the data as they are -> test
+/// MeshErrorsTest.AddToThoseOfTheData
 Observations with_errors_of_mesh(Observations seen, double of_history,
                                  const ScalarShares& of_scalars);
 

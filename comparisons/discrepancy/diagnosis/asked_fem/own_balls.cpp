@@ -51,8 +51,8 @@ namespace {
 
 /// What a fit costs with its numbers, where errors are as large as the best leaves them.
 double information_criterion(const FittedFem& fit, double scale) {
-  const double numbers = 2.0 + 2.0 * static_cast<double>(fit.material.branches.size());
-  return fit.chi_square / scale + numbers * std::log(static_cast<double>(fit.samples));
+  return fit.chi_square / scale +
+         static_cast<double>(numbers_of(fit.material)) * std::log(static_cast<double>(fit.samples));
 }
 
 const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
@@ -120,11 +120,12 @@ FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
 
 FittedFem OwnBallFit::on_best_plate(const FittedFem& plain, const FittedFem& rigid,
                                     const std::vector<EffectChoice>& plates) const {
+  std::vector<FittedFem> kinds = {plain};
+  if (rigid.material != plain.material) kinds.push_back(rigid);
   FittedFem best = rigid;
-  for (const FittedFem* kind : {&plain, &rigid})
+  for (const FittedFem& kind : kinds)
     for (const EffectChoice& plate : plates) {
-      if (kind == &rigid && rigid.material == plain.material) break;
-      FittedFem start = *kind;
+      FittedFem start = kind;
       start.effects = {plate};
       if (auto moving = fitted(start); moving && moving->chi_square < best.chi_square)
         best = std::move(*moving);

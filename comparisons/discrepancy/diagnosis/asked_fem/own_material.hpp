@@ -22,6 +22,11 @@ Material guess_fem_material(const Observations& seen, const std::vector<std::siz
 /// with a branch of the deviator alone.
 std::vector<Material> other_kinds_near(const Material& fitted, const Material& guess);
 
+/// How many numbers a search has for a material of this kind.
+inline std::size_t numbers_of(const Material& kind) {
+  return 2 + 2 * kind.branches.size();
+}
+
 /// Numbers in which a search describes a material: ln E, the Poisson ratio, and of each branch ln
 /// of ratio and time. Bounds are those about a guess, which says the contact time.
 /// Limit:  start and back gives the material again -> test OwnMaterial.ComesBackFromItsNumbers
@@ -30,7 +35,7 @@ class MaterialUnknowns {
   /// `start` says how many branches there are and what they relax.
   MaterialUnknowns(const Material& guess, const Material& start);
 
-  std::size_t count() const { return 2 + 2 * kind_.branches.size(); }
+  std::size_t count() const { return numbers_of(kind_); }
   void add(std::vector<CalibrationParameter>& unknowns) const;
   /// `x`: the numbers come first in it.
   Material at(const std::vector<double>& x) const;
