@@ -7,8 +7,6 @@
 namespace trials {
 namespace {
 
-constexpr int cells = 2500;
-
 using Out = std::back_insert_iterator<std::string>;
 
 void write_material(Out out, const FemBall& ball) {
@@ -59,7 +57,7 @@ std::string deck_text(const FemBall& ball, const FemImpact& impact) {
   std::string text = fmt::format(
       "schema = 1\n[impact]\nspeed = \"{:.17g} m/s\"\n[sphere]\nmass = \"{:.17g} kg\"\n"
       "diameter = \"{:.17g} m\"\n[model]\ntier = \"fem\"\ncells = {}\n",
-      impact.speed, impact.mass, 2.0 * impact.radius, cells);
+      impact.speed, impact.mass, 2.0 * impact.radius, impact.cells);
   write_material(std::back_inserter(text), ball);
   write_surroundings(std::back_inserter(text), ball);
   return text;

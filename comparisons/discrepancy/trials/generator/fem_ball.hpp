@@ -56,18 +56,22 @@ struct FemBall {
   std::optional<StickySurface> sticky;
 };
 
+/// Cells that say what can be seen of an effect, and those that data are computed on: fine enough
+/// that nodes which touch one by one leave no ripple in the noise of a trial.
+inline constexpr int cells_of_visibility = 2500, cells_of_data = 10'000;
+
 /// One impact of such a ball.
 struct FemImpact {
   double mass = 0.0;    ///< [kg]
   double radius = 0.0;  ///< [m]
   double speed = 0.0;   ///< [m/s]
+  int cells = cells_of_visibility;
 };
 
 /// A model file of such a ball: what it is made of alone, on a mesh that the reader chooses.
 std::string fem_model_text(const FemBall& ball);
 
-/// The deck of one impact, on a mesh of about 2500 cells: fine enough that nodes which touch one by
-/// one leave no ripple in the noise of a trial, and no mesh that a diagnosis runs on.
+/// The deck of one impact.
 std::string deck_text(const FemBall& ball, const FemImpact& impact);
 
 }  // namespace trials

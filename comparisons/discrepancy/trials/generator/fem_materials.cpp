@@ -1,6 +1,13 @@
 #include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
 
+#include <algorithm>
+
 namespace trials {
+namespace {
+
+constexpr double second_time = 0.08;  // over that of the contact
+
+}  // namespace
 
 /// Ratios are the largest that are drawn, times come with the trial.
 const std::vector<FemBall>& fem_materials() {
@@ -39,7 +46,6 @@ const std::vector<FemBall>& fem_materials() {
 }
 
 FemBall draw_material(double modulus, double contact_time, const FemBall& kind, Random& random) {
-  constexpr double second_time = 0.08;
   FemBall ball = kind;
   ball.modulus = modulus;
   for (std::size_t k = 0; k < ball.branches.size(); ++k) {
@@ -47,6 +53,29 @@ FemBall draw_material(double modulus, double contact_time, const FemBall& kind, 
     ball.branches[k].time = contact_time * (k == 0 ? random.uniform(0.01, 0.03) : second_time);
   }
   return ball;
+}
+
+std::vector<FemBall> sound_balls_near(const FemBall& ball, double contact_time) {
+  constexpr double half = 0.5, most_slow = 0.6, most_of_deviator = 1.5;
+  std::vector<FemBall> near(2, ball);
+  if (ball.branches.size() > 1)
+    near[0].branches[1].ratio += half * most_slow;
+  else
+    near[0].branches.push_back({.ratio = half * most_slow, .time = second_time * contact_time});
+  const FemBranch& first = ball.branches.front();
+  near[1].branches.push_back({.ratio = half * most_of_deviator,
+                              .time = first.time,
+                              .deviator_alone = !first.deviator_alone});
+  for (const FemBall& other : fem_materials()) {
+    if (std::any_of(near.begin(), near.end(),
+                    [&](const FemBall& known) { return known.elastic == other.elastic; }))
+      continue;
+    near.push_back(ball);
+    near.back().elastic = other.elastic;
+    near.back().second_share = other.second_share;
+    near.back().terms = other.terms;
+  }
+  return near;
 }
 
 }  // namespace trials

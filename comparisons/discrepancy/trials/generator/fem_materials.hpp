@@ -18,4 +18,8 @@ const std::vector<FemBall>& fem_materials();
 ///   contact_time  about that of the middle speed [s]
 FemBall draw_material(double modulus, double contact_time, const FemBall& kind, Random& random);
 
+/// How else a ball near this one may be made with nothing hidden, one change each: a slower branch
+/// more, a branch of the other kind more (of the deviator, or of all stress), each other law.
+std::vector<FemBall> sound_balls_near(const FemBall& ball, double contact_time);
+
 }  // namespace trials

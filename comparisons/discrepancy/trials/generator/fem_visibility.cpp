@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
+#include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
 #include "comparisons/discrepancy/trials/generator/linear_prediction.hpp"
 #include "comparisons/discrepancy/trials/generator/normal_equations.hpp"
 #include "comparisons/discrepancy/trials/generator/trial.hpp"
@@ -9,12 +11,24 @@
 namespace trials {
 namespace {
 
+/// Numbers of the ball, and shares of what makes it another sound one (sound_balls_near).
+constexpr std::size_t other_balls = 5;
 /// Places of the unknowns; those of shot j follow from first_of_shot + 2 j.
-enum Unknown { log_modulus, poisson_ratio, branches, log_times, gain, offset, first_of_shot };
+enum Unknown : std::size_t {
+  log_modulus,
+  poisson_ratio,
+  branches,
+  log_times,
+  first_share,
+  gain = first_share + other_balls,
+  offset,
+  first_of_shot
+};
 constexpr std::array of_the_ball = {log_modulus, poisson_ratio, branches, log_times};
 
-/// Slopes by the six shared unknowns and the shot's two; the residual last.
+/// Slopes by the shared unknowns and the shot's two; the residual last.
 using Row = std::array<double, first_of_shot + 3>;
+using Records = std::vector<std::vector<double>>;  ///< shot by shot
 
 /// The ball with nothing hidden, one of its numbers changed by `step`.
 Trial changed(Trial trial, Unknown which, double step) {
@@ -34,12 +48,13 @@ class NothingHidden {
   NothingHidden(const Trial& trial, const std::vector<Sampling>& samplings)
       : trial_(trial), samplings_(samplings), force_(records_of(trial)) {
     constexpr std::array<double, of_the_ball.size()> steps = {0.01, -0.01, 0.05, 0.05};
-    for (const Unknown which : of_the_ball) {
-      std::vector<std::vector<double>> records = records_of(changed(trial, which, steps[which]));
-      for (std::size_t j = 0; j < records.size(); ++j)
-        for (std::size_t i = 0; i < records[j].size(); ++i)
-          records[j][i] = (records[j][i] - force_[j][i]) / steps[which];
-      slopes_[which] = std::move(records);
+    for (const Unknown which : of_the_ball)
+      slopes_[which] = slopes_to(changed(trial, which, steps[which]), steps[which]);
+    Trial other = trial;
+    std::size_t place = first_share;
+    for (FemBall& ball : sound_balls_near(trial.fem, trial.scales.contact_time)) {
+      other.fem = std::move(ball);
+      slopes_.at(place++) = slopes_to(other, 1.0);
     }
   }
 
@@ -52,31 +67,38 @@ class NothingHidden {
     const double slope =
         (force[after] - force[before]) * sampling.rate / static_cast<double>(after - before);
     const double time = sampling.first_time + static_cast<double>(i) / sampling.rate;
+    Row row;
+    for (std::size_t k = 0; k < slopes_.size(); ++k) row[k] = slopes_[k][shot][i];
+    row[gain] = force[i] / trial_.true_gain;
+    row[offset] = 1.0;
+    row[first_of_shot] = -slope;
     // By the logarithm of the speed as a Hertzian impact changes: F as v^1.2, time as v^-0.2.
-    return {slopes_[log_modulus][shot][i],
-            slopes_[poisson_ratio][shot][i],
-            slopes_[branches][shot][i],
-            slopes_[log_times][shot][i],
-            force[i] / trial_.true_gain,
-            1.0,
-            -slope,
-            1.2 * force[i] + 0.2 * time * slope,
-            force[i] - hidden};
+    row[first_of_shot + 1] = 1.2 * force[i] + 0.2 * time * slope;
+    row.back() = force[i] - hidden;
+    return row;
   }
 
  private:
-  std::vector<std::vector<double>> records_of(const Trial& trial) const {
+  Records records_of(const Trial& trial) const {
     const NoiseFree free = simulate_trial(trial, {});
-    std::vector<std::vector<double>> records;
+    Records records;
     for (std::size_t j = 0; j < free.impacts.size(); ++j)
       records.push_back(recorded(free, j, samplings_[j]));
     return records;
   }
 
+  Records slopes_to(const Trial& other, double step) const {
+    Records records = records_of(other);
+    for (std::size_t j = 0; j < records.size(); ++j)
+      for (std::size_t i = 0; i < records[j].size(); ++i)
+        records[j][i] = (records[j][i] - force_[j][i]) / step;
+    return records;
+  }
+
   const Trial& trial_;
   const std::vector<Sampling>& samplings_;
-  std::vector<std::vector<double>> force_;
-  std::array<std::vector<std::vector<double>>, of_the_ball.size()> slopes_;
+  Records force_;
+  std::array<Records, gain> slopes_;  ///< by the unknowns of the ball
 };
 
 /// σ over √(σ² + e²), e what the cells that the data are computed on get wrong: nobody sees what is
@@ -130,6 +152,8 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
   const double gain_uncertainty =
       std::hypot(trial.gain_uncertainty, trial.mass.uncertainty / trial.ball.mass);
   LinearProblem problem(first_of_shot + 2 * trial.shots.size());
+  std::vector<int> shared(first_of_shot);
+  std::iota(shared.begin(), shared.end(), 0);
   for (std::size_t j = 0; j < trial.shots.size(); ++j) {
     std::vector<double> hidden = recorded(free, j, free.samplings[j]);
     digitise(free.world.chain, hidden);
@@ -140,11 +164,13 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
     for (Row& row : rows)
       for (double& one : row) one *= weight;
     const int own = static_cast<int>(first_of_shot + 2 * j);
-    for (const Row& row : rows)
-      problem.add({log_modulus, poisson_ratio, branches, log_times, gain, offset, own, own + 1},
-                  {row.begin(), row.end() - 1}, row.back());
+    std::vector<int> places = shared;
+    places.insert(places.end(), {own, own + 1});
+    for (const Row& row : rows) problem.add(places, {row.begin(), row.end() - 1}, row.back());
     problem.add({own + 1}, {trial.shots[j].speed.value / trial.shots[j].speed.uncertainty}, 0.0);
   }
+  for (std::size_t k = 0; k < other_balls; ++k)
+    problem.add({static_cast<int>(first_share + k)}, {1.0}, 0.0);
   problem.add({gain}, {1.0 / gain_uncertainty}, 0.0);
   problem.add({offset}, {1.0 / trial.noise.deviation}, 0.0);
   return problem.least();

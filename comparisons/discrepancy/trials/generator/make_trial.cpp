@@ -51,12 +51,13 @@ void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, Trial
   digitise(free.world.chain, shot.force);
 }
 
-NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects, int cells) {
   NoiseFree free{.world = world_of(trial, effects), .impacts = {}, .samplings = {}};
   for (const TrialShot& shot : trial.shots) {
-    free.impacts.push_back(trial.request.fem->impact(
-        free.world.fem,
-        {.mass = trial.ball.mass, .radius = trial.radius, .speed = shot.true_speed}));
+    free.impacts.push_back(trial.request.fem->impact(free.world.fem, {.mass = trial.ball.mass,
+                                                                      .radius = trial.radius,
+                                                                      .speed = shot.true_speed,
+                                                                      .cells = cells}));
     free.samplings.push_back(sampling_of(trial, shot, free.impacts.back().contact_time));
   }
   return free;
@@ -69,7 +70,7 @@ std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Samp
 }
 
 NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects) {
-  if (in_fem(trial.request)) return simulate_in_fem(trial, effects);
+  if (in_fem(trial.request)) return simulate_in_fem(trial, effects, cells_of_visibility);
   NoiseFree free{.world = world_of(trial, effects), .impacts = {}, .samplings = {}};
   int index = 0;
   for (const TrialShot& shot : trial.shots) {
@@ -135,7 +136,8 @@ Trial make_trial(const TrialRequest& request) {
   draw_effects(trial);
   trial.visible_chi_square = visible_chi_square(trial, trial.effects);
   if (!in_fem(request)) trial.rivals = rivals_of(trial);  // of forms that do not run in FE
-  const NoiseFree free = simulate_trial(trial, trial.effects);
+  const NoiseFree free = in_fem(request) ? simulate_in_fem(trial, trial.effects, cells_of_data)
+                                         : simulate_trial(trial, trial.effects);
   for (std::size_t i = 0; i < trial.shots.size(); ++i) record_shot(trial, free, i, trial.shots[i]);
   return trial;
 }
