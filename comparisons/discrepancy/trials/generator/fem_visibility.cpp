@@ -101,8 +101,8 @@ class NothingHidden {
   std::array<Records, gain> slopes_;  ///< by the unknowns of the ball
 };
 
-/// σ over √(σ² + e²), e what the cells that the data are computed on get wrong: nobody sees what is
-/// smaller, however quiet the record.
+/// σ over √(σ² + e²), e what the cells of these records get wrong: nobody sees what is smaller,
+/// however quiet the record.
 double weight_beside_mesh(const Noise& noise, const std::vector<double>& force) {
   constexpr double error_of_mesh = 0.005;  // rms over the peak: half the edge changes so much
   const double peak = *std::max_element(force.begin(), force.end());

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
