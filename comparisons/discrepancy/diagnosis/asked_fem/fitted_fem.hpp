@@ -11,6 +11,9 @@ namespace rebound {
 
 /// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
 inline constexpr double left_by_fem = 1.5;
+/// Reduced χ² beyond which something else is wrong than where a search has ended: a plate that
+/// moves leaves thousands on a rigid one.
+inline constexpr double far_from_data = 300.0;
 
 /// Does one of these act as soon as there is contact, and not as the contact grows?
 inline bool act_on_the_surface(const std::vector<EffectChoice>& effects) {
@@ -28,6 +31,7 @@ struct FittedFem {
   std::size_t samples = 0;            ///< of the histories
   double effect_unknowns = 0.0;       ///< fitted numbers of the effects
 
+  bool is_far() const { return chi_square > far_from_data * static_cast<double>(samples); }
   bool follows() const { return chi_square <= left_by_fem * static_cast<double>(samples); }
 };
 

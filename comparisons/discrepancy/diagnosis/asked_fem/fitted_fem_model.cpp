@@ -38,12 +38,32 @@ void start_records_at(const std::vector<double>& values, std::ptrdiff_t first,
   }
 }
 
-CalibrationControls controls_in_fem() {
+CalibrationControls controls_in_fem(Differences differences) {
   return {.relative_step = difference_step,
-          .differences = Differences::one_sided,
+          .differences = differences,
           .runs_are_dear = true,
           .cost_tolerance = cost_tolerance,
           .iterations = 15};
+}
+
+std::vector<double> values_of(const CalibrationResult& found) {
+  std::vector<double> values;
+  for (const Estimate& estimate : found.estimates) values.push_back(estimate.value);
+  return values;
+}
+
+/// Differences to one side are off by half the curvature of a step. Where the noise is small
+/// against what a step changes, that ends a search in a valley far from its bottom.
+CalibrationResult searched(CalibrationProblem& problem, const RunControl& control,
+                           SearchDepth depth) {
+  problem.controls = controls_in_fem(Differences::one_sided);
+  CalibrationResult near = calibrate(problem, control);
+  const double left = 2.0 * near.cost_after / near.data;
+  if (depth == SearchDepth::near || left <= 1.0 || left > far_from_data) return near;
+  const std::vector<double> values = values_of(near);
+  for (std::size_t k = 0; k < values.size(); ++k) problem.parameters[k].start = values[k];
+  problem.controls = controls_in_fem(Differences::central);
+  return calibrate(problem, control);
 }
 
 }  // namespace
@@ -51,7 +71,7 @@ CalibrationControls controls_in_fem() {
 FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
                         const HypothesisFit& lumped, const FemBelief& fem,
                         const std::vector<EffectChoice>& effects, const FittedFem* near,
-                        const RunControl& control) {
+                        const RunControl& control, SearchDepth depth) {
   const Material guess = guess_fem_material(seen, shots, lumped);
   const MaterialUnknowns of_material(guess, near ? near->material : guess);
   CalibrationProblem calibration;
@@ -82,10 +102,8 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
     return records.residuals(x, impacts_at(x));
   };
   calibration.noise = NoiseKnowledge::known;
-  calibration.controls = controls_in_fem();
-  const CalibrationResult found = calibrate(calibration, control);
-  std::vector<double> values;
-  for (const Estimate& estimate : found.estimates) values.push_back(estimate.value);
+  const CalibrationResult found = searched(calibration, control, depth);
+  const std::vector<double> values = values_of(found);
   FittedFem fit{
       .material = of_material.at(values),
       .effects = of_effects.at(values),
@@ -110,7 +128,7 @@ double chi_square_of(const Observations& shots_of, const std::vector<std::size_t
     return records.residuals(x, impacts);
   };
   calibration.noise = NoiseKnowledge::known;
-  calibration.controls = controls_in_fem();
+  calibration.controls = controls_in_fem(Differences::one_sided);
   return 2.0 * calibrate(calibration, control).cost_after;
 }
 

@@ -10,6 +10,10 @@
 
 namespace rebound {
 
+/// How far a search in FE goes: near the least, with differences to one side, or to the end, with
+/// central ones from there, which takes twice as long.
+enum class SearchDepth { near, whole };
+
 /// FE's own idea of a ball that hides nothing but these effects.
 ///
 ///   unknown are the numbers of its material (MaterialUnknowns), those of the effects, and for each
@@ -28,7 +32,7 @@ namespace rebound {
 FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
                         const HypothesisFit& lumped, const FemBelief& fem,
                         const std::vector<EffectChoice>& effects, const FittedFem* near,
-                        const RunControl& control);
+                        const RunControl& control, SearchDepth depth = SearchDepth::near);
 
 /// What a fitted ball leaves of other shots: Σ r² over histories and priors, with start and scale
 /// of every shot found anew and all else as it was fitted.

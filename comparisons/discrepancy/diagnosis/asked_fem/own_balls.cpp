@@ -96,7 +96,23 @@ OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
     : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
 
 FittedFem OwnBallFit::again(const FittedFem& near) const {
-  return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_);
+  // Of a plate that moves an impact takes several times as long, and there are many starts.
+  const SearchDepth depth = near.effects.empty() ? SearchDepth::whole : SearchDepth::near;
+  return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_, depth);
+}
+
+FittedFem OwnBallFit::of_other_times(FittedFem best) const {
+  if (best.follows() || best.is_far()) return best;
+  for (const double factor : {1.0 / 3.0, 3.0}) {
+    FittedFem start = best;
+    for (PronyBranch& branch : start.material.branches) {
+      branch.relaxation_time *= factor;
+      branch.ratio /= factor;  // fast branches act by ratio times time
+    }
+    if (auto other = fitted(start); other && other->chi_square < best.chi_square)
+      best = std::move(*other);
+  }
+  return best;
 }
 
 std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near) const try {
@@ -115,7 +131,7 @@ FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
     start.material = std::move(kind);
     if (auto other = fitted(start)) kinds.push_back(std::move(*other));
   }
-  return least_of(kinds);
+  return of_other_times(least_of(kinds));
 }
 
 FittedFem OwnBallFit::on_best_plate(const FittedFem& plain, const FittedFem& rigid,

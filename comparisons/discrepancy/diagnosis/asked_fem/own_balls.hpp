@@ -43,7 +43,8 @@ class OwnBallFit {
   FittedFem again(const FittedFem& near) const;
 
   /// Of the kinds of material near a fitted one of a single branch the one with the least
-  /// information criterion.
+  /// information criterion; where it does not follow, the best of it and of what is found from
+  /// branches three times as fast, and as slow.
   /// Limit:  a ball whose branch is of the deviator comes out as such
   ///         -> test OwnBallOfFem.MayHaveABranchOfTheDeviatorAlone
   /// Errors: as fit_fem_model().
@@ -58,6 +59,7 @@ class OwnBallFit {
                           const std::vector<EffectChoice>& plates) const;
 
  private:
+  FittedFem of_other_times(FittedFem best) const;
   std::optional<FittedFem> fitted(const FittedFem& near) const;
 
   const Observations& seen_;
