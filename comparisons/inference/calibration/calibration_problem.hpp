@@ -159,6 +159,13 @@ struct CalibrationResult {
   NoiseKnowledge noise = NoiseKnowledge::estimated;
   std::vector<std::string> warnings;
   std::string verdict;  ///< one sentence on the whole fit
+
+  /// Of the estimates, in their order.
+  std::vector<double> values() const {
+    std::vector<double> all;
+    for (const Estimate& one : estimates) all.push_back(one.value);
+    return all;
+  }
 };
 
 /// Weighted least squares, min ½ Σ r², within the bounds, by Ceres'

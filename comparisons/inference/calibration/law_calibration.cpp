@@ -170,9 +170,7 @@ LawCalibration calibrate_unknowns(const LawUnknowns& law, const std::vector<Meas
   LawCalibration calibration;
   calibration.fit = over_time ? solve(ForceTimeResiduals(shots, options))
                               : solve(ForceDeflectionResiduals(shots, options));
-  std::vector<double> estimates;
-  for (const auto& e : calibration.fit.estimates) estimates.push_back(e.value);
-  calibration.model = law.model(estimates);
+  calibration.model = law.model(calibration.fit.values());
   return calibration;
 }
 

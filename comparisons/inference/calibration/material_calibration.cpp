@@ -162,11 +162,8 @@ MaterialCalibration calibrate_material(const FemProblem& problem,
 
   MaterialCalibration result;
   result.fit = calibrate(calibration, control);
-  std::vector<double> logarithms;
-  for (auto& estimate : result.fit.estimates) {
-    logarithms.push_back(estimate.value);
-    carry_back(estimate);
-  }
+  const std::vector<double> logarithms = result.fit.values();
+  for (auto& estimate : result.fit.estimates) carry_back(estimate);
   result.material = with_numbers(problem.material, free, logarithms);
   return result;
 }

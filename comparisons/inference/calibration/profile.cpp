@@ -119,8 +119,7 @@ Side walk(const CalibrationProblem& problem, const CalibrationResult& result, st
           double sign, const RunControl& control) {
   const auto& card = problem.parameters[parameter];
   const Estimate& estimate = result.estimates[parameter];
-  std::vector<double> optimum;
-  for (const auto& e : result.estimates) optimum.push_back(e.value);
+  const std::vector<double> optimum = result.values();
   const double width = card.highest - card.lowest;
   const double bound = sign < 0.0 ? card.lowest : card.highest;
   if (std::abs(bound - estimate.value) <= 1e-9 * width) return {};

@@ -111,9 +111,7 @@ LawCalibration calibrate_to_scalars(const LawRequest& request,
   };
   LawCalibration calibration;
   calibration.fit = calibrate(problem, control);
-  std::vector<double> estimates;
-  for (const Estimate& e : calibration.fit.estimates) estimates.push_back(e.value);
-  calibration.model = law.model(estimates);
+  calibration.model = law.model(calibration.fit.values());
   return calibration;
 }
 

@@ -11,8 +11,8 @@ namespace rebound {
 
 /// Reduced χ² that FE may leave of data that it follows: its errors are known to a factor.
 inline constexpr double left_by_fem = 1.5;
-/// Reduced χ² beyond which something else is wrong than where a search has ended: a plate that
-/// moves leaves thousands on a rigid one.
+/// Reduced χ² beyond which a ball is searched for no further: something else is wrong than where
+/// the search has ended.
 inline constexpr double far_from_data = 300.0;
 
 /// Does one of these act as soon as there is contact, and not as the contact grows?

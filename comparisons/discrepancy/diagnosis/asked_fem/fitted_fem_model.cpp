@@ -46,21 +46,16 @@ CalibrationControls controls_in_fem(Differences differences) {
           .iterations = 15};
 }
 
-std::vector<double> values_of(const CalibrationResult& found) {
-  std::vector<double> values;
-  for (const Estimate& estimate : found.estimates) values.push_back(estimate.value);
-  return values;
-}
-
 /// Differences to one side are off by half the curvature of a step. Where the noise is small
-/// against what a step changes, that ends a search in a valley far from its bottom.
+/// against what a step changes, that ends a search in a valley far from its bottom. What leaves no
+/// more than noise has no bottom to go to.
 CalibrationResult searched(CalibrationProblem& problem, const RunControl& control,
                            SearchDepth depth) {
   problem.controls = controls_in_fem(Differences::one_sided);
   CalibrationResult near = calibrate(problem, control);
   const double left = 2.0 * near.cost_after / near.data;
   if (depth == SearchDepth::near || left <= 1.0 || left > far_from_data) return near;
-  const std::vector<double> values = values_of(near);
+  const std::vector<double> values = near.values();
   for (std::size_t k = 0; k < values.size(); ++k) problem.parameters[k].start = values[k];
   problem.controls = controls_in_fem(Differences::central);
   return calibrate(problem, control);
@@ -103,7 +98,7 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   };
   calibration.noise = NoiseKnowledge::known;
   const CalibrationResult found = searched(calibration, control, depth);
-  const std::vector<double> values = values_of(found);
+  const std::vector<double> values = found.values();
   FittedFem fit{
       .material = of_material.at(values),
       .effects = of_effects.at(values),

@@ -11,7 +11,7 @@
 namespace rebound {
 
 /// How far a search in FE goes: near the least, with differences to one side, or to the end, with
-/// central ones from there, which takes twice as long.
+/// central ones from there.
 enum class SearchDepth { near, whole };
 
 /// FE's own idea of a ball that hides nothing but these effects.

@@ -96,7 +96,6 @@ OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
     : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
 
 FittedFem OwnBallFit::again(const FittedFem& near) const {
-  // Of a plate that moves an impact takes several times as long, and there are many starts.
   const SearchDepth depth = near.effects.empty() ? SearchDepth::whole : SearchDepth::near;
   return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_, depth);
 }

@@ -38,7 +38,8 @@ class OwnBallFit {
   OwnBallFit(const Observations& seen, std::vector<std::size_t> shots, const HypothesisFit& lumped,
              const FemBelief& fem, const RunControl& control);
 
-  /// Of that kind, with those effects, from those numbers.
+  /// Of that kind, with those effects, from those numbers; to the end on a rigid plate alone. On
+  /// one that moves an impact takes longer, and a search has many starts.
   /// Errors: as fit_fem_model().
   FittedFem again(const FittedFem& near) const;
 

@@ -101,7 +101,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
     fit.residuals = model->residuals({});
   } else {
     fit.search = calibrate(problem, control);
-    for (const auto& estimate : fit.search.estimates) fit.values.push_back(estimate.value);
+    fit.values = fit.search.values();
     fit.residuals = model->residuals(fit.values);
   }
   model->forget_impacts();

@@ -49,11 +49,8 @@ class UnseenShot {
     problem.residuals = [&](const std::vector<double>& free) { return residuals(free, beside); };
     problem.noise = NoiseKnowledge::known;
     problem.controls.iterations = 30;
-    const CalibrationResult found = calibrate(problem);
-    std::vector<double> free;
-    for (const auto& estimate : found.estimates) free.push_back(estimate.value);
     double sum = 0.0;
-    for (const double r : residuals(free, beside)) sum += r * r;
+    for (const double r : residuals(calibrate(problem).values(), beside)) sum += r * r;
     return sum;
   }
 
