@@ -145,7 +145,7 @@ Action declare_diagnose(CLI::App& command) {
                      "Speed that no fit sees, e.g. \"15 m/s\", or none; default: the middle one");
   command.add_option("--mesh", options->mesh,
                      "A mesh of your own (.msh, .geo, .step) where FE is asked: it and its "
-                     "refinement, instead of 500 and 1000 cells");
+                     "refinement, instead of 300 and 1200 cells");
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
   command.add_flag("--no-bootstrap", options->no_bootstrap,
                    "Do not repeat the choice between candidates on data drawn anew");

@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/verdict/candidate_family.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace rebound {
 namespace {
@@ -18,6 +19,15 @@ bool has_member(const FamilySet& candidate, EffectFamily family) {
   return std::find(candidate.begin(), candidate.end(), family) != candidate.end();
 }
 
+/// What the best fit of each family explains by itself.
+std::map<EffectFamily, double> largest_shares(const std::vector<ExplainedShare>& explained) {
+  std::map<EffectFamily, double> shares;
+  for (const ExplainedShare& one : explained)
+    if (const EffectFamily family = family_of(one.families); family != EffectFamily::none)
+      shares[family] = std::max(shares[family], one.share);
+  return shares;
+}
+
 }  // namespace
 
 EffectFamily common_family(const std::vector<FamilySet>& candidates) {
@@ -29,14 +39,16 @@ EffectFamily common_family(const std::vector<FamilySet>& candidates) {
 
 EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained) {
-  constexpr double most = 0.8;
+  constexpr double most = 0.8, half = 0.5, hardly_any = 0.125;
+  const std::map<EffectFamily, double> shares = largest_shares(explained);
   EffectFamily found = EffectFamily::none;
-  for (const ExplainedShare& one : explained) {
-    const EffectFamily family = family_of(one.families);
-    if (family == EffectFamily::none || family == found || one.share < most) continue;
-    if (!std::all_of(candidates.begin(), candidates.end(),
-                     [&](const auto& candidate) { return has_member(candidate, family); }))
-      continue;
+  for (const auto& [family, share] : shares) {
+    const bool in_all = std::all_of(candidates.begin(), candidates.end(),
+                                    [&](const auto& one) { return has_member(one, family); });
+    const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const auto& other) {
+      return other.first == family || other.second < hardly_any;
+    });
+    if (!in_all || share < (is_alone ? half : most)) continue;
     if (found != EffectFamily::none) return EffectFamily::none;
     found = family;
   }

@@ -22,7 +22,8 @@ struct ExplainedShare {
 EffectFamily common_family(const std::vector<FamilySet>& candidates);
 
 /// The family that every candidate has a member of and that explains by itself four fifths of what
-/// the best candidate does; none where two families do so.
+/// the best candidate does, or half of it where no other family explains an eighth by itself; none
+/// where two families do so.
 EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained);
 

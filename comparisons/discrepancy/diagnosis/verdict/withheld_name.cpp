@@ -30,13 +30,25 @@ bool is_plain_in_a_cell(const ResidualMap& map) {
   return map.largest > above_threshold * map.threshold;
 }
 
+/// Does a candidate gain more than effects gain where nothing is hidden? χ² of two thousand
+/// readings may pass where a single number would bring fifty.
+bool gains_more_than_noise_gives(const Diagnosis& d) {
+  constexpr double most = 20.0;  // in χ² + 2 k: of 196 nulls the best effect gained 15 at most
+  const double before = d.selection.baseline.fit.prediction_criterion;
+  const auto& candidates = d.selection.indistinguishable;
+  return std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+    return before - d.selection.tried[i].fit.prediction_criterion > most;
+  });
+}
+
 /// A gap that noise could make, of which several effects each explain a little and none at the
 /// unseen speed: the believed model stands. Of two thousand readings χ² says nothing of what fifty
 /// of them have; the cells of the map say that.
 bool is_no_gap_worth_having(const Diagnosis& d, const SelectionRules& rules, double noise) {
   return d.verdict == DiagnosisVerdict::one_of && d.family == EffectFamily::none &&
          d.believed.p_value > rules.smallest_adequate_p && !is_plain_in_a_cell(d.believed.map) &&
-         *d.gap.held_out_before - 1.0 <= noise && *d.gap.held_out_after >= *d.gap.held_out_before;
+         !gains_more_than_noise_gives(d) && *d.gap.held_out_before - 1.0 <= noise &&
+         *d.gap.held_out_after >= *d.gap.held_out_before;
 }
 
 /// Beside FE's own part, χ² of the believed model is that of its errors, and the unseen speed shows

@@ -20,7 +20,22 @@ TEST(CandidateFamilyTest, MainWhereOneExplainsFourFifthsByItself) {
   EXPECT_EQ(
       main_family(sticky, {{{"adhesion"}, {surface}, 0.85}, {{"damping-exponent"}, {rate}, 0.6}}),
       surface);
-  EXPECT_EQ(main_family(sticky, {{{"adhesion"}, {surface}, 0.75}}), none);
+  EXPECT_EQ(
+      main_family(sticky, {{{"adhesion"}, {surface}, 0.75}, {{"damping-exponent"}, {rate}, 0.6}}),
+      none);
+}
+
+// A pull with more reach than the curve has: with any effect beside it more is explained, and that
+// effect alone explains nothing.
+TEST(CandidateFamilyTest, MainWhereNoOtherFamilyExplainsAnythingByItself) {
+  using enum EffectFamily;
+  EXPECT_EQ(main_family(sticky,
+                        {{{"pull-curves"}, {surface}, 0.64}, {{"damping-exponent"}, {rate}, 0.04}}),
+            surface);
+  EXPECT_EQ(main_family(sticky,
+                        {{{"pull-curves"}, {surface}, 0.64}, {{"damping-exponent"}, {rate}, 0.2}}),
+            none);
+  EXPECT_EQ(main_family(sticky, {{{"pull-curves"}, {surface}, 0.45}}), none);
 }
 
 TEST(CandidateFamilyTest, NoMainFamilyThatACandidateDoesWithout) {

@@ -70,6 +70,17 @@ TEST(WithheldNameTest, AGapThatIsPlainInOneCellKeepsItsCandidates) {
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
 }
 
+// χ² of two thousand readings may pass where a single number brings fifty.
+TEST(WithheldNameTest, WhatGainsMoreThanNoiseGivesKeepsItsCandidates) {
+  Diagnosis d = small_gap();
+  d.selection.baseline.fit.prediction_criterion = 2000.0;
+  d.selection.tried[0].fit.prediction_criterion = 1990.0;
+  d.selection.tried[1].fit.prediction_criterion = 1985.0;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+  d.selection.tried[1].fit.prediction_criterion = 1947.0;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::one_of);
+}
+
 /// One candidate of these effects, which have no family in common.
 Diagnosis explained_by(const std::vector<std::string>& names) {
   Diagnosis d;
