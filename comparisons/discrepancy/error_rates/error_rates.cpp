@@ -80,10 +80,8 @@ void count(const TrialRecord& trial, const std::string& verdict, ErrorRates& rat
   rates.fewest_speeds = rates.trials == 0 ? speeds : std::min(rates.fewest_speeds, speeds);
   rates.most_speeds = std::max(rates.most_speeds, speeds);
   ++rates.trials;
-  if (trial.truth.effects.empty())
-    rates.false_alarm.add(says_gap(said));
-  else if (shows(trial.truth))
-    rates.effect_seen.add(says_gap(said));
+  if (trial.truth.effects.empty() && !is_missing(said)) rates.false_alarm.add(says_gap(said));
+  if (shows(trial.truth)) rates.effect_seen.add(says_gap(said));
   if (said.verdict == verdict) rates.verdict_true.add(is_true(said, trial.truth));
 }
 

@@ -6,9 +6,12 @@
 
 namespace rebound {
 
+bool is_missing(const TrialAnswer& answer) {
+  return answer.verdict == "failed";
+}
+
 bool says_gap(const TrialAnswer& answer) {
-  return answer.verdict != "agrees" && answer.verdict != "insufficient-data" &&
-         answer.verdict != "failed";
+  return answer.verdict != "agrees" && answer.verdict != "insufficient-data" && !is_missing(answer);
 }
 
 std::string family_said(const TrialAnswer& answer) {

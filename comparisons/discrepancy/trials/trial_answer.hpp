@@ -17,6 +17,9 @@ struct TrialAnswer {
   friend bool operator==(const TrialAnswer&, const TrialAnswer&) = default;
 };
 
+/// Did the diagnosis end in an error, and say nothing?
+bool is_missing(const TrialAnswer& answer);
+
 /// Does it say that model and data disagree?
 bool says_gap(const TrialAnswer& answer);
 

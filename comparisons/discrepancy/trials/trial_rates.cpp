@@ -68,7 +68,7 @@ RateTable rates_by(const std::vector<TrialRecord>& records, RateTable table, dou
     if (effect) {
       count_effect(truth.effects.front(), record.outcome.said, row);
       at_best[bin].add(truth);
-    } else {
+    } else if (!is_missing(record.outcome.said)) {
       row.false_alarm.add(says_gap(record.outcome.said));
     }
   }

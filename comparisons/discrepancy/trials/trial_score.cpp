@@ -12,6 +12,7 @@ namespace rebound {
 namespace {
 
 void count_null(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& counts) {
+  if (is_missing(said)) return;
   counts.false_alarm.add(says_gap(said));
   if (truth.noise_stated == "half" || truth.noise_stated == "twice")
     counts.false_alarm_misstated.add(says_gap(said));
@@ -156,11 +157,12 @@ void gather_details(const TrialRecord& record, TrialScores& scores) {
   const TrialTruth& truth = record.truth;
   const TrialAnswer& said = record.outcome.said;
   ++scores.confusion[row_of(truth)][column_of(said)];
-  if (truth.effects.empty())
+  if (is_missing(said)) ++scores.without_answer;
+  const bool is_null = truth.effects.empty() && !is_missing(said);
+  if (is_null)
     scores.false_alarms_by_noise[truth.noise_colour + ", stated " + truth.noise_stated].add(
         says_gap(said));
-  if (truth.effects.empty() && !truth.ball.empty())
-    scores.false_alarms_by_ball[truth.ball].add(says_gap(said));
+  if (is_null && !truth.ball.empty()) scores.false_alarms_by_ball[truth.ball].add(says_gap(said));
   if (truth.effects.size() != 1 || truth.effects.front().family == "out_of_family") return;
   const TrialEffect& effect = truth.effects.front();
   ++scores.confusion_by_name[effect.registry_name.empty()

@@ -29,6 +29,7 @@ struct TrialScores {
   double median_seconds = 0.0, longest_seconds = 0.0;
   int trials = 0;
   int not_visible = 0;                                ///< effects that do not count
+  int without_answer = 0;                             ///< diagnoses that ended in an error
   std::map<std::string, int> origins;                 ///< trials by set and seed of the generator
   TrialProtocols protocols;                           ///< more than one: not one error rate
   std::map<std::string, Share> false_alarms_by_ball;  ///< of balls in finite elements
@@ -40,7 +41,8 @@ struct TrialScores {
 
 /// Scores outcomes against truths, trial by trial.
 ///
-/// Counted are nulls, and effects that show (visible χ² of 25 or more).
+/// Counted are nulls, and effects that show (visible χ² of 25 or more). A diagnosis without an
+/// answer is no false alarm and no silence: a null is left out, an effect counts as not found.
 ///   family right   the verdict's family, or a fault of the measurement, is that of the truth
 ///   name right     the nearest effect of the list is the one named
 ///   in the set     it stands in a candidate

@@ -152,6 +152,7 @@ Json of_one_kind(const TrialScores& scores) {
           {"trials", scores.trials},
           {"origins", scores.origins},
           {"not_visible", scores.not_visible},
+          {"without_answer", scores.without_answer},
           {"protocols", protocols},
           {"gates", gates_json(scores.gates)},
           {"controls", controls},
@@ -169,6 +170,9 @@ std::string text_of_one_kind(const TrialScores& scores) {
       "{} trials, {} of them with an effect that does not show; a diagnosis took {:.2g} s, at most "
       "{:.2g} s\n",
       scores.trials, scores.not_visible, scores.median_seconds, scores.longest_seconds);
+  if (scores.without_answer > 0)
+    text += fmt::format("warning   {} of them ended in an error, without an answer\n",
+                        scores.without_answer);
   if (scores.mean_candidates > 0.0)
     text += fmt::format("sets      {:.2g} in the answer on average, where any is said\n",
                         scores.mean_candidates);

@@ -41,7 +41,7 @@ TEST(ErrorRatesTest, CountsAreThoseOfTheStoredTrials) {
   EXPECT_TRUE(rates[1].in_fem);
   EXPECT_EQ(rates[1].trials, 360);
   EXPECT_EQ(rates[1].false_alarm.count, 7);
-  EXPECT_EQ(rates[1].false_alarm.of, 327);
+  EXPECT_EQ(rates[1].false_alarm.of, 326);  // one of 327 ended in an error
 }
 
 TEST(ErrorRatesTest, TheNearestNoiseIsThatOfTheNearestRatio) {

@@ -60,6 +60,16 @@ TEST(TrialScoreTest, AFalseAlarmIsAGapSaidOfANull) {
   EXPECT_EQ(gate(scores, "false alarms on nulls, noise misstated by 2").share.of, 1);
 }
 
+TEST(TrialScoreTest, AnErrorIsNoSilence) {
+  const TrialScores scores = score_trials(
+      trials_of({said(1, "agrees"), said(2, "failed"), said(3, "failed")},
+                {nothing_hidden(1), nothing_hidden(2), hidden(3, "memory", "relaxation")}));
+  EXPECT_EQ(gate(scores, "false alarms on nulls").share.of, 1);
+  EXPECT_EQ(gate(scores, "family right").share.of, 1);
+  EXPECT_EQ(scores.without_answer, 2);
+  EXPECT_NE(to_text(scores).find("2 of them ended in an error"), std::string::npos);
+}
+
 TEST(TrialScoreTest, RightWrongAndOpen) {
   const TrialScores scores = score_trials(trials_of(
       {said(1, "missing", "memory", "relaxation"), said(2, "family", "memory"), said(3, "one-of"),
