@@ -6,10 +6,12 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 #include "comparisons/io/result_store/sqlite.hpp"
 #include "comparisons/io/result_store/stored_member.hpp"
@@ -29,6 +31,29 @@ std::uint32_t big_endian(const std::array<char, header_size>& bytes, std::size_t
   return value;
 }
 
+/// Zeros where the file is shorter. Read by SQLite's own hand: its locks are those of the process,
+/// and another descriptor of the file would drop them when it is closed. Whoever looked into the
+/// store then would take its log away, and what is kept after that would be lost.
+std::array<char, header_size> first_bytes_of(const std::filesystem::path& file) {
+  sqlite3_vfs* system = sqlite3_vfs_find(nullptr);
+  std::vector<std::max_align_t> memory(1 + static_cast<std::size_t>(system->szOsFile) /
+                                               sizeof(std::max_align_t));
+  auto* const opened = reinterpret_cast<sqlite3_file*>(memory.data());
+  const std::unique_ptr<const char, void (*)(sqlite3_filename)> name(
+      sqlite3_create_filename(std::filesystem::absolute(file).c_str(), "", "", 0, nullptr),
+      sqlite3_free_filename);
+  if (system->xOpen(system, name.get(), opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_MAIN_DB,
+                    nullptr) != SQLITE_OK)
+    throw Error(ExitCode::input_output_failed, "the store cannot be opened",
+                {.file = file.string()});
+  std::array<char, header_size> bytes{};
+  const int status = opened->pMethods->xRead(opened, bytes.data(), header_size, 0);
+  opened->pMethods->xClose(opened);
+  if (status != SQLITE_OK && status != SQLITE_IOERR_SHORT_READ)
+    throw Error(ExitCode::input_output_failed, "the store cannot be read", {.file = file.string()});
+  return bytes;
+}
+
 }  // namespace
 
 std::string scalar_columns(const char* type) {
@@ -43,15 +68,9 @@ void refuse_store(const std::filesystem::path& file, const std::string& why,
 }
 
 void check_store_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    throw Error(ExitCode::input_output_failed, "the store cannot be opened",
-                {.file = file.string()});
-  std::array<char, header_size> bytes{};
-  in.read(bytes.data(), header_size);
+  const std::array<char, header_size> bytes = first_bytes_of(file);
   constexpr std::size_t version_place = 60, application_place = 68;  // of SQLite's file format
-  if (in.gcount() != header_size ||
-      !std::string_view(bytes.data(), header_size).starts_with("SQLite format 3"))
+  if (!std::string_view(bytes.data(), header_size).starts_with("SQLite format 3"))
     refuse_store(file, "this is not a store of campaigns, or its beginning is damaged");
   if (big_endian(bytes, application_place) != application)
     refuse_store(file, "this SQLite file is not a store of campaigns");
