@@ -30,14 +30,14 @@ bool counts_as_true(const TrialTruth& truth, const TrialOutcome& outcome) {
 TEST(ErrorRatesTest, CountsAreThoseOfTheStoredTrials) {
   const auto rates = error_rates_of({.speeds = 3, .noise_share = 0.028}, "missing");
   ASSERT_EQ(rates.size(), 2u);
-  EXPECT_EQ(rates[0].trials, 71);
+  EXPECT_EQ(rates[0].trials, 82);
   EXPECT_EQ(rates[0].noise_share, 0.03);
   EXPECT_EQ(rates[0].fewest_speeds, 2);
   EXPECT_EQ(rates[0].most_speeds, 3);
   EXPECT_EQ(rates[0].false_alarm.count, 0);
-  EXPECT_EQ(rates[0].false_alarm.of, 30);
+  EXPECT_EQ(rates[0].false_alarm.of, 21);
   EXPECT_EQ(rates[0].verdict_true.count, 11);
-  EXPECT_EQ(rates[0].verdict_true.of, 11);
+  EXPECT_EQ(rates[0].verdict_true.of, 13);
   EXPECT_TRUE(rates[1].in_fem);
   EXPECT_EQ(rates[1].trials, 360);
   EXPECT_EQ(rates[1].false_alarm.count, 7);
