@@ -42,9 +42,12 @@ EffectFamily main_family(const std::vector<FamilySet>& candidates,
   constexpr double most = 0.8, half = 0.5, hardly_any = 0.125;
   const std::map<EffectFamily, double> shares = largest_shares(explained);
   EffectFamily found = EffectFamily::none;
-  for (const auto& [family, share] : shares) {
-    const bool in_all = std::all_of(candidates.begin(), candidates.end(),
-                                    [&](const auto& one) { return has_member(one, family); });
+  for (const auto& one : shares) {
+    const EffectFamily family = one.first;
+    const double share = one.second;
+    const bool in_all =
+        std::all_of(candidates.begin(), candidates.end(),
+                    [&](const auto& candidate) { return has_member(candidate, family); });
     const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const auto& other) {
       return other.first == family || other.second < hardly_any;
     });
