@@ -33,7 +33,7 @@ bool is_plain_in_a_cell(const ResidualMap& map) {
 /// Does a candidate gain more than effects gain where nothing is hidden? χ² of two thousand
 /// readings may pass where a single number would bring fifty.
 bool gains_more_than_noise_gives(const Diagnosis& d) {
-  constexpr double most = 20.0;  // in χ² + 2 k: of 196 nulls the best effect gained 15 at most
+  constexpr double most = 20.0;  // in χ² + 2 k: of 200 nulls the best effect gained 15 at most
   const double before = d.selection.baseline.fit.prediction_criterion;
   const auto& candidates = d.selection.indistinguishable;
   return std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
