@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/interruption.hpp"
@@ -76,12 +77,13 @@ struct StudyRun {
   std::vector<report::Section> paper;        ///< what the printed numbers imply
   std::vector<CoreStudy> cores;              ///< those that are complete
   std::vector<ExperimentStudy> experiments;  ///< likewise
+  std::optional<JointScalars> joint;         ///< of all cores, once all are complete
   bool complete = false;
 };
 
 report::Report report_of(const StudyRun& run) {
   report::Report page =
-      study_report(run.study, run.cores, run.experiments, run.paper, run.provenance);
+      study_report(run.study, run.cores, run.joint, run.experiments, run.paper, run.provenance);
   if (!run.complete)
     page.subtitle = fmt::format(
         "Unfinished: {} of {} balls so far, and {} of {} experiments. The rest is being computed, "
@@ -93,7 +95,7 @@ report::Report report_of(const StudyRun& run) {
 
 /// Writes what is complete: after every core, so that an interruption keeps it.
 Json write_study(const StudyRun& run) {
-  Json json = study_json(run.study, run.cores, run.experiments);
+  Json json = study_json(run.study, run.cores, run.joint, run.experiments);
   const auto page = run.out / "report.html";
   json["report"] = page.string();
   json["provenance"] = to_json(run.provenance);
@@ -156,7 +158,7 @@ Json run_cores(StudyRun& run) {
     control.progress = [&](double fraction) {
       whole.progress((cores + simulation_share * cores * fraction) / count);
     };
-    diagnose_simulation(run.study.fem, run.cores, control);
+    run.joint = diagnose_simulation(run.study.fem, run.cores, control);
     write_study(run);
     control.progress = [&](double fraction) {
       const double before = (1.0 + simulation_share) * cores;
@@ -182,7 +184,7 @@ ExitCode run_study(const Session& session, const std::string& file) {
   make_writable_folder(out);
   const Provenance provenance = provenance_with_fem(session, file, document.text());
 
-  StudyRun run{study, out, provenance, {}, {}, {}, false};
+  StudyRun run{study, out, provenance, {}, {}, {}, {}, false};
   if (!study.reproduce.empty()) run.paper = report_sections(reproduce(study.reproduce));
   const Json json = run_cores(run);
   if (session.json()) {
@@ -195,6 +197,7 @@ ExitCode run_study(const Session& session, const std::string& file) {
     for (const auto& experiment : run.experiments)
       text += fmt::format("{} ({}): {}\n", experiment.label, experiment.hidden,
                           headline(experiment.diagnosis));
+    text += joint_text(run.cores, run.joint);
     text +=
         fmt::format("\n{}\n\nreport: {}\n", headline(run.cores), (out / "report.html").string());
     print_text(text);

@@ -87,7 +87,7 @@ RARE = {
     "inspect": (".contradictions",),
     "verify": (".seeded_faults",),
     "trials": (".in_fem.", ".fem_believed"),
-    "study": (".experiments", ".cores[].simulation.effects[].parameters[]"),
+    "study": (".experiments", ".cores[].simulation.effects[].parameters[]", ".joint_simulation.effects[].variants[].cores[].parameters[]"),
 }
 
 

@@ -17,6 +17,11 @@ bool enough_scalars(const Observations& all, const Material& material) {
   return numbers >= unknowns + left_over;
 }
 
+bool earns_name(const ScalarGap& before, const ScalarGap& after) {
+  constexpr double noise = 1.0, half = 0.5;
+  return before.unseen && after.unseen && *after.unseen - noise <= half * (*before.unseen - noise);
+}
+
 namespace {
 
 /// Scalars ask less of a mesh than histories do; what it misses is corrected all the same.
@@ -25,22 +30,16 @@ constexpr int search_cells_of_scalars = 110;
 /// Shares of the work done when each part ends; measured on a sliotar core.
 constexpr double settled_share = 0.25, compared_share = 0.5, tried_share = 0.95;
 
-struct SpeedsApart {
-  std::optional<double> speed;
-  Observations seen, unseen;
-};
-
-SpeedsApart without_one_speed(const Observations& all) {
+/// Parts the middle speed from the others.
+void hold_out_one_speed(const Observations& all, ScalarDiagnosis& d) {
   std::vector<bool> unseen(all.shots.size(), false);
-  SpeedsApart apart;
   if (const auto cluster = choose_held_out(all, std::nullopt)) {
-    apart.speed = cluster->speed;
+    d.unseen_speed = cluster->speed;
     for (const std::size_t shot : cluster->shots) unseen[shot] = true;
   }
-  apart.unseen = subset(all, unseen);
+  d.fits.unseen = subset(all, unseen);
   unseen.flip();
-  apart.seen = subset(all, unseen);
-  return apart;
+  d.fits.seen = std::make_shared<const Observations>(subset(all, unseen));
 }
 
 ScalarGap gap_of(const HypothesisFit& fit, const Observations& unseen) {
@@ -50,18 +49,18 @@ ScalarGap gap_of(const HypothesisFit& fit, const Observations& unseen) {
 }
 
 /// Which effects help, by the speeds that are seen; what the best is worth at the one that is not.
-void look_for_effects(ScalarDiagnosis& d, const SpeedsApart& apart, const HypothesisFit& all,
-                      const RunControl& control) {
-  const HypothesisFit fit = fit_further(apart.seen, all, control);
-  d.believed = gap_of(fit, apart.unseen);
+void look_for_effects(ScalarDiagnosis& d, const HypothesisFit& all, const RunControl& control) {
+  FitsOfEffects& fits = d.fits;
+  fits.believed = fit_further(*fits.seen, all, control);
+  d.believed = gap_of(fits.believed, fits.unseen);
   d.extended = d.believed;
-  const std::vector<HypothesisFit> tried = try_effects(apart.seen, fit, control);
-  for (const HypothesisFit& one : tried)
+  fits.tried = try_effects(*fits.seen, fits.believed, control);
+  for (const HypothesisFit& one : fits.tried)
     d.effects.push_back({.effect = one.effects.back(),
                          .family = find_effect(one.effects.back().name).card.family,
                          .reduced_chi_square = one.reduced_chi_square(),
                          .information_criterion = one.information_criterion});
-  if (!tried.empty()) d.extended = gap_of(tried.front(), apart.unseen);
+  if (!fits.tried.empty()) d.extended = gap_of(fits.tried.front(), fits.unseen);
 }
 
 }  // namespace
@@ -88,9 +87,8 @@ ScalarDiagnosis diagnose_scalars(const Dataset& data, const FemProblem& believed
   const HypothesisFit& all = d.consistency.all.fit;
   d.material = all.model->material_at(all.values, 0);
   report_progress(compared_share);
-  const SpeedsApart apart = without_one_speed(settled.seen);
-  d.unseen_speed = apart.speed;
-  look_for_effects(d, apart, all, within);
+  hold_out_one_speed(settled.seen, d);
+  look_for_effects(d, all, within);
   report_progress(tried_share);
   return d;
 }

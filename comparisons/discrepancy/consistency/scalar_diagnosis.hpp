@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -18,12 +19,24 @@ struct ScalarGap {
   std::optional<double> unseen;
 };
 
+/// Does what was added take half of the excess gap at the speed no fit saw, as diagnose() asks of a
+/// name? No where there is no such speed.
+bool earns_name(const ScalarGap& before, const ScalarGap& after);
+
 /// One effect more in a fitted model, and what of the data it explains.
 struct EffectOnScalars {
   EffectChoice effect;  ///< with fitted numbers
   EffectFamily family{};
   double reduced_chi_square = 0.0;
   double information_criterion = 0.0;
+};
+
+/// The fits that a choice of effects rests on: none has seen the middle speed.
+struct FitsOfEffects {
+  std::shared_ptr<const Observations> seen;  ///< the fits look at it
+  Observations unseen;
+  HypothesisFit believed;
+  std::vector<HypothesisFit> tried;  ///< with one effect each, best first
 };
 
 /// A believed FE model of one ball beside all scalars that were measured of it.
@@ -35,6 +48,7 @@ struct ScalarDiagnosis {
   ScalarGap believed;  ///< fitted without the unseen speed, for the effects to be compared with
   std::vector<EffectOnScalars> effects;  ///< on what that fit saw; best first
   ScalarGap extended;                    ///< with the first of them
+  FitsOfEffects fits;                    ///< behind them
   int cells = 0, finer_cells = 0;        ///< of the mesh, and of the one that corrects it
 };
 

@@ -21,16 +21,17 @@ std::vector<FreeMaterialNumber> free_numbers(Material material) {
 
 }  // namespace
 
-MaterialFactors::MaterialFactors(Material believed, const std::vector<Ball>& balls,
+MaterialFactors::MaterialFactors(std::vector<Material> believed, const std::vector<Ball>& balls,
                                  std::vector<CalibrationParameter>& unknowns)
-    : believed_(std::move(believed)), numbers_(free_numbers(believed_)) {
-  for (const Ball& ball : balls) {
+    : believed_(std::move(believed)) {
+  for (std::size_t ball = 0; ball < balls.size(); ++ball) {
     auto& own = places_.emplace_back();
-    for (const FreeMaterialNumber& number : numbers_) {
-      const double value = number_of(believed_, number);
+    for (const FreeMaterialNumber& number :
+         numbers_.emplace_back(free_numbers(believed_.at(ball)))) {
+      const double value = number_of(believed_[ball], number);
       own.push_back(unknowns.size());
       unknowns.push_back(
-          {.name = balls.size() > 1 ? name_of(number) + " of " + ball.name : name_of(number),
+          {.name = balls.size() > 1 ? name_of(number) + " of " + balls[ball].name : name_of(number),
            .unit = "ln of factor",
            .start = 0.0,
            .lowest = std::log(number.lowest / value),
@@ -41,9 +42,9 @@ MaterialFactors::MaterialFactors(Material believed, const std::vector<Ball>& bal
 }
 
 Material MaterialFactors::at(const std::vector<double>& values, std::size_t ball) const {
-  Material material = believed_;
-  for (std::size_t k = 0; k < numbers_.size(); ++k)
-    number_of(material, numbers_[k]) *= std::exp(values[places_[ball][k]]);
+  Material material = believed_[ball];
+  for (std::size_t k = 0; k < numbers_[ball].size(); ++k)
+    number_of(material, numbers_[ball][k]) *= std::exp(values[places_[ball][k]]);
   return material;
 }
 

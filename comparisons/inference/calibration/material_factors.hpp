@@ -9,13 +9,14 @@
 namespace rebound {
 
 /// The numbers of a believed material as unknowns, as LawFactors are those of a law: ln of a factor
-/// on Young's modulus and on ratio and relaxation time of every branch, for each ball.
+/// on Young's modulus and on ratio and relaxation time of every branch, for each ball about a
+/// material of its own.
 ///
 /// Poisson ratio, elastic law and everything else of the material are held.
 class MaterialFactors {
  public:
-  /// Appends its unknowns.
-  MaterialFactors(Material believed, const std::vector<Ball>& balls,
+  /// Appends its unknowns. `believed`: of each ball, with equally many branches.
+  MaterialFactors(std::vector<Material> believed, const std::vector<Ball>& balls,
                   std::vector<CalibrationParameter>& unknowns);
 
   /// The believed material with the numbers of one ball moved to these values.
@@ -24,9 +25,9 @@ class MaterialFactors {
   const std::vector<std::size_t>& places(std::size_t ball) const { return places_[ball]; }
 
  private:
-  Material believed_;
-  std::vector<FreeMaterialNumber> numbers_;
-  std::vector<std::vector<std::size_t>> places_;  ///< per ball, per number
+  std::vector<Material> believed_;                        ///< per ball
+  std::vector<std::vector<FreeMaterialNumber>> numbers_;  ///< per ball
+  std::vector<std::vector<std::size_t>> places_;          ///< per ball, per number
 };
 
 }  // namespace rebound

@@ -3,6 +3,7 @@
 #include "comparisons/discrepancy/error_rates/error_rates_output.hpp"
 #include "comparisons/inference/references/scalar_errors_json.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
+#include "comparisons/studies/study/joint_json.hpp"
 
 namespace rebound {
 namespace {
@@ -46,13 +47,6 @@ Json law_json(const StudyLaw& law, const std::vector<LawScore>& cells) {
           {"scores", scores}};
 }
 
-/// As files call it, e.g. "contact_time".
-std::string key_of(ObservedQuantity what) {
-  for (const ScalarQuantity& scalar : scalar_quantities)
-    if (scalar.what == what) return scalar.key;
-  return name_of(what);
-}
-
 Json consistency_json(const ConsistencyFit& one, const Observations& all) {
   Json ratios = Json::array();
   for (const ObservableRatio& ratio : one.ratios) {
@@ -68,13 +62,6 @@ Json consistency_json(const ConsistencyFit& one, const Observations& all) {
   return {{"left_out", one.left_out ? Json(key_of(*one.left_out)) : Json(nullptr)},
           {"reduced_chi_square", one.fit.reduced_chi_square()},
           {"observables", ratios}};
-}
-
-Json parameters_json(const EffectChoice& effect) {
-  Json parameters = Json::array();
-  for (const auto& [name, value] : effect.parameters)
-    parameters.push_back({{"name", name}, {"value", value}});
-  return parameters;
 }
 
 Json gap_json(const ScalarGap& gap) {
@@ -136,6 +123,7 @@ Json fit_json(const CalibrationResult& fit) {
 }
 
 Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                const std::optional<JointScalars>& joint,
                 const std::vector<ExperimentStudy>& experiments) {
   Json list = Json::array(), synthetic = Json::array();
   for (const auto& core : cores) list.push_back(core_json(core));
@@ -143,7 +131,11 @@ Json study_json(const StudyFile& study, const std::vector<CoreStudy>& cores,
     synthetic.push_back({{"label", experiment.label},
                          {"hidden", experiment.hidden},
                          {"diagnosis", json_with_error_rates(experiment.diagnosis)}});
-  return {{"schema", 1}, {"title", study.title}, {"cores", list}, {"experiments", synthetic}};
+  return {{"schema", 1},
+          {"title", study.title},
+          {"cores", list},
+          {"joint_simulation", joint ? joint_json(cores, *joint) : Json(nullptr)},
+          {"experiments", synthetic}};
 }
 
 }  // namespace rebound

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/consistency/joint_scalars.hpp"
 #include "comparisons/io/report/report.hpp"
 #include "comparisons/io/results/provenance.hpp"
 #include "comparisons/studies/study/core_study.hpp"
@@ -17,7 +20,7 @@ std::string headline(const std::vector<CoreStudy>& cores);
 /// The sentences of the first screen: the published law at its worst, which law is nearest to FE
 /// and whether FE follows the data, which observables contradict each other, what the diagnosis
 /// says and the gap before and after.
-std::string answer(const std::vector<CoreStudy>& cores);
+std::string answer(const std::vector<CoreStudy>& cores, const std::optional<JointScalars>& joint);
 
 /// What a diagnosis found, in the words that stand behind "the diagnosis names".
 std::string missing_in_words(const Diagnosis& diagnosis);
@@ -52,12 +55,28 @@ report::Section matrix_section(const std::vector<CoreStudy>& cores);
 report::Section overlay_section(const std::vector<CoreStudy>& cores);
 
 /// The FE model against all scalars: which of them contradict each other; nothing where no core
-/// has been diagnosed yet.
-std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores);
-/// The same in a clause for the first screen; empty where nothing stands out.
+/// has been diagnosed yet. Without `joint`, core by core alone.
+std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores,
+                                                const std::optional<JointScalars>& joint);
+/// Which kind of observable contradicts the others over all cores together, and by how much.
+report::Notice joint_contradiction(const std::vector<CoreStudy>& cores, const JointScalars& joint);
+/// The effect that brings all cores nearest together, one size or several, and what it is worth.
+report::Notice joint_effect(const std::vector<CoreStudy>& cores, const JointScalars& joint);
+/// Gap at the unseen speed: believed, with an effect of each core, with one of all.
+report::Matrix gap_matrix(const std::vector<CoreStudy>& cores, const JointScalars& joint);
+/// Fits with one kind left out over all cores; effects in all of them.
+std::vector<report::Table> joint_tables(const std::vector<CoreStudy>& cores,
+                                        const JointScalars& joint);
+/// What all cores together say, in two sentences for a terminal; empty without `joint`.
+std::string joint_text(const std::vector<CoreStudy>& cores,
+                       const std::optional<JointScalars>& joint);
+/// The contradiction in a clause for the first screen; empty where nothing stands out.
 std::string simulation_clause(const std::vector<CoreStudy>& cores);
 /// Which kind of observable of one ball contradicts the others; empty where none does.
 std::string contradiction_of(const CoreStudy& core);
+/// What one effect of all cores is worth at the unseen speed, in a clause; empty where none is
+/// nearer than the believed model.
+std::string joint_clause(const std::vector<CoreStudy>& cores, const JointScalars& joint);
 
 /// FE against what it was fitted to, and against what it was not.
 report::Section check_section(const std::vector<CoreStudy>& cores);
@@ -77,6 +96,7 @@ report::Section provenance_section(const std::vector<CoreStudy>& cores,
 /// `paper`: what the paper's printed numbers imply, if the study asks for it;
 /// placed after the checks of the FE model and the diagnoses.
 report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::optional<JointScalars>& joint,
                             const std::vector<ExperimentStudy>& experiments,
                             const std::vector<report::Section>& paper,
                             const Provenance& provenance);

@@ -114,14 +114,29 @@ FemBelief::FemBelief(FemProblem problem, const Observations& all,
   }
 }
 
+FemBelief FemBelief::together(std::vector<std::shared_ptr<const FemBelief>> apart) {
+  FemBelief all;
+  all.problem_ = apart.at(0)->problem_;
+  for (const auto& one : apart) all.cells_ = std::max(all.cells_, one->cells_);
+  all.apart_ = std::move(apart);
+  return all;
+}
+
 FemBelief FemBelief::with(const Material& material) const {
   FemBelief other = *this;
   other.problem_.material = material;
+  for (auto& one : other.apart_) one = std::make_shared<const FemBelief>(one->with(material));
   return other;
 }
 
 FemBelief FemBelief::with(std::vector<KnownDifferences> known) const {
   FemBelief other = *this;
+  for (std::size_t ball = 0; ball < apart_.size(); ++ball) {
+    std::vector<KnownDifferences> own;
+    for (const KnownDifferences& one : known)
+      if (one.ball == ball) own.emplace_back(one).ball = 0;
+    other.apart_[ball] = std::make_shared<const FemBelief>(apart_[ball]->with(std::move(own)));
+  }
   other.known_ = std::move(known);
   return other;
 }
@@ -157,6 +172,7 @@ ModelledImpact FemBelief::run_anew(std::size_t ball, const FemProblem& problem) 
 
 ModelledImpact FemBelief::run(std::size_t ball, const Impact& impact, const Material& material,
                               const std::vector<EffectChoice>& effects) const {
+  if (!apart_.empty()) return apart_[ball]->run(0, impact, material, effects);
   const KnownDifferences* known = known_at(ball, impact.speed);
   Impact at = impact;
   if (known) at.speed = known->speed;

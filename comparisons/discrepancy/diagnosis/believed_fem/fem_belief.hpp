@@ -30,6 +30,13 @@ class FemBelief {
   FemBelief(FemProblem problem, const Observations& all, const std::vector<Material>& materials,
             int cells, const RunControl& control, int halvings = 0);
 
+  /// Balls that were made ready apart, as those of one model: each keeps its cells, its material,
+  /// its corrections, and the impacts that were run of it. Ball i is the only one of `apart[i]`.
+  ///
+  /// Limit:  an impact of ball i is that of `apart[i]`
+  ///         -> test JointScalarsTest.BallsTogetherHaveTheImpactsOfEachApart.
+  static FemBelief together(std::vector<std::shared_ptr<const FemBelief>> apart);
+
   /// The same balls, cells and plate, of another material.
   FemBelief with(const Material& material) const;
   /// The same, corrected for its cells where it was compared with finer ones: impacts of that ball
@@ -37,6 +44,10 @@ class FemBelief {
   FemBelief with(std::vector<KnownDifferences> known) const;
 
   const FemProblem& problem() const { return problem_; }
+  /// Which a fit of this ball starts from.
+  const Material& material_of(std::size_t ball) const {
+    return apart_.empty() ? problem_.material : apart_[ball]->material_of(0);
+  }
   int cells() const { return cells_; }
 
   /// One impact of a ball of this material, with effects.
@@ -47,11 +58,13 @@ class FemBelief {
 
  private:
   class KeptImpacts;
+  FemBelief() = default;
   ModelledImpact run_anew(std::size_t ball, const FemProblem& problem) const;
   const KnownDifferences* known_at(std::size_t ball, double speed) const;
 
   FemProblem problem_;
   int cells_ = 0;
+  std::vector<std::shared_ptr<const FemBelief>> apart_;  ///< where each ball has one of its own
   std::vector<Sphere> spheres_;
   std::vector<FemRunner> run_;  ///< of every ball
   std::vector<KnownDifferences> known_;

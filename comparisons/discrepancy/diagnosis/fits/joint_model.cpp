@@ -11,7 +11,12 @@ namespace {
 std::variant<LawFactors, MaterialFactors> numbers_of(const Hypothesis& hypothesis,
                                                      const std::vector<Ball>& balls,
                                                      std::vector<CalibrationParameter>& unknowns) {
-  if (hypothesis.fem) return MaterialFactors(hypothesis.fem->problem().material, balls, unknowns);
+  if (hypothesis.fem) {
+    std::vector<Material> materials;
+    for (std::size_t ball = 0; ball < balls.size(); ++ball)
+      materials.push_back(hypothesis.fem->material_of(ball));
+    return MaterialFactors(std::move(materials), balls, unknowns);
+  }
   return LawFactors(hypothesis.believed, balls, unknowns);
 }
 

@@ -27,7 +27,8 @@ std::optional<double> mean_distance(const std::vector<CoreStudy>& cores, std::si
 }
 
 /// Which law is nearest to FE, and how far FE itself follows the measurement.
-std::string law_sentence(const std::vector<CoreStudy>& cores) {
+std::string law_sentence(const std::vector<CoreStudy>& cores,
+                         const std::optional<JointScalars>& joint) {
   std::optional<std::size_t> nearest;
   double least = 0.0;
   std::size_t impacts = 0;
@@ -45,7 +46,7 @@ std::string law_sentence(const std::vector<CoreStudy>& cores) {
         "force over {} impacts; ",
         cores.front().laws[*nearest].label, 100 * least, impacts);
   if (const std::string contradiction = simulation_clause(cores); !contradiction.empty())
-    return text + contradiction + ".";
+    return text + contradiction + (joint ? joint_clause(cores, *joint) : "") + ".";
   const auto followed = std::count_if(cores.begin(), cores.end(), fem_follows);
   return text + fmt::format(
                     "the FE material itself follows the measured restitutions and contact times "
@@ -115,8 +116,8 @@ bool fem_follows(const CoreStudy& core) {
   return core.material.fit.reduced_chi_square <= within_noise;
 }
 
-std::string answer(const std::vector<CoreStudy>& cores) {
-  return headline(cores) + " " + law_sentence(cores) + " " + diagnosis_sentence(cores);
+std::string answer(const std::vector<CoreStudy>& cores, const std::optional<JointScalars>& joint) {
+  return headline(cores) + " " + law_sentence(cores, joint) + " " + diagnosis_sentence(cores);
 }
 
 }  // namespace rebound

@@ -6,30 +6,13 @@
 
 #include "comparisons/io/results/key_words.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
+#include "comparisons/studies/study/sections/observable_words.hpp"
 #include "comparisons/studies/study/study_report.hpp"
 
 namespace rebound {
 namespace {
 
 using Kind = report::TableColumn::Kind;
-
-constexpr double agreeing = 4.0;  // reduced χ²: two standard deviations each
-
-std::string in_words(ObservedQuantity what) {
-  switch (what) {
-    case ObservedQuantity::restitution: return "restitution";
-    case ObservedQuantity::contact_time: return "contact time";
-    case ObservedQuantity::peak_force: return "peak force";
-    case ObservedQuantity::peak_deflection: return "peak deflection";
-    case ObservedQuantity::mean_deflection: return "mean deflection";
-    default: return name_of(what);
-  }
-}
-
-const char* direction_in_words(ObservedQuantity what, bool above) {
-  if (what == ObservedQuantity::contact_time) return above ? "longer" : "shorter";
-  return above ? "larger" : "smaller";
-}
 
 /// "26 % longer than", of measured over modelled.
 std::string against(const ObservableRatio& ratio) {
@@ -221,7 +204,8 @@ std::string contradiction_of(const CoreStudy& core) {
       in_words(*odd->left_out), odd->fit.reduced_chi_square());
 }
 
-std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores) {
+std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& cores,
+                                                const std::optional<JointScalars>& joint) {
   if (std::none_of(cores.begin(), cores.end(), [](const auto& core) { return core.scalars; }))
     return {};
   report::Section section{.title = "Which measurements contradict each other?", .blocks = {}};
@@ -229,10 +213,17 @@ std::vector<report::Section> simulation_section(const std::vector<CoreStudy>& co
       "The FE model is believed, and its material fitted to everything that was measured of a "
       "ball. Then one kind of observable after the other is left out: where the rest agrees "
       "without it, its row says by how much it would have to be wrong."});
+  if (joint) section.blocks.push_back(joint_contradiction(cores, *joint));
   section.blocks.push_back(contradiction_matrix(cores));
+  if (joint) {
+    section.blocks.push_back(joint_effect(cores, *joint));
+    section.blocks.push_back(gap_matrix(cores, *joint));
+  }
   for (const CoreStudy& core : cores)
     if (core.scalars) section.blocks.push_back(finding_of(core));
   section.details = {fit_table(cores), effect_table(cores)};
+  if (joint)
+    for (report::Table& table : joint_tables(cores, *joint)) section.details.push_back(table);
   return {section};
 }
 

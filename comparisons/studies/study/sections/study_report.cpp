@@ -80,6 +80,7 @@ report::Section joined(report::Section section, const report::Section& further) 
 }  // namespace
 
 report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>& cores,
+                            const std::optional<JointScalars>& joint,
                             const std::vector<ExperimentStudy>& experiments,
                             const std::vector<report::Section>& paper,
                             const Provenance& provenance) {
@@ -90,11 +91,11 @@ report::Report study_report(const StudyFile& study, const std::vector<CoreStudy>
       "normal impact, no spin, no temperature";
   page.question =
       "Can the contact law be believed, at this speed, for this ball? If not, what is missing?";
-  page.headline = answer(cores);
+  page.headline = answer(cores, joint);
   page.lead = {restitution_matrix(cores), measured_verdicts(cores)};
   page.sections = {matrix_section(cores), overlay_section(cores)};
   for (auto& section : diagnosis_overview(cores, experiments)) page.sections.push_back(section);
-  for (auto& section : simulation_section(cores)) page.sections.push_back(section);
+  for (auto& section : simulation_section(cores, joint)) page.sections.push_back(section);
   page.sections.push_back(joined(check_section(cores), credibility_section(cores)));
   page.sections.push_back(joined(parameter_section(cores), quasistatic_section(cores)));
   if (!paper.empty()) {

@@ -4,6 +4,7 @@
 
 #include "comparisons/discrepancy/consistency/all_scalars.hpp"
 #include "comparisons/discrepancy/consistency/effects_on_scalars.hpp"
+#include "comparisons/discrepancy/consistency/joint_consistency.hpp"
 #include "comparisons/discrepancy/consistency/observable_consistency.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
 #include "comparisons/models/effects/effect.hpp"
@@ -74,6 +75,43 @@ TEST(ObservableConsistencyTest, AKindThatOneShotDoesNotStateIsLeftOutThere) {
   EXPECT_TRUE(std::isnan(ratio.of_shots[1]));
   EXPECT_NEAR(ratio.of_shots[2], 1.0, 2e-3);
   EXPECT_NEAR(ratio.mean, 1.0, 2e-3);
+}
+
+/// Two balls whose contact times are wrong by these factors, each compared by itself.
+JointConsistency compared_with(double first, double second) {
+  Observations one = scalars_of(law(3.2e6, 7e4)), other = scalars_of(law(4e6, 5e4));
+  scale_contact_times(one, first);
+  scale_contact_times(other, second);
+  const Hypothesis believed{.believed = law(3.5e6, 8e4)};
+  const ObservableConsistency of_one = compare_observables(one, believed),
+                              of_other = compare_observables(other, believed);
+  return compare_jointly({&of_one, &of_other});
+}
+
+TEST(JointScalarsTest, OneFactorOnAllContactTimesMendsThem) {
+  const JointConsistency found = compared_with(1.2, 1.2);
+  EXPECT_GT(found.all.reduced_chi_square, 50.0);
+  ASSERT_TRUE(found.best());
+  EXPECT_EQ(found.best()->left_out, ObservedQuantity::contact_time);
+  const JointRatio& ratio = *found.best()->of(ObservedQuantity::contact_time);
+  EXPECT_NEAR(ratio.mean, 1.2, 2e-3);
+  EXPECT_LT(ratio.scatter_of_balls, 2e-3);
+  EXPECT_LT(ratio.scatter_of_shots, 2e-3);
+  ASSERT_TRUE(found.common_factor);
+  EXPECT_NEAR(found.common_factor->factor, 1.2, 2e-3);
+  EXPECT_LT(found.common_factor->reduced_chi_square, 0.1);
+}
+
+TEST(JointScalarsTest, OneFactorDoesNotMendWhatBallsDifferIn) {
+  const JointConsistency found = compared_with(1.1, 1.3);
+  ASSERT_TRUE(found.best());
+  const JointRatio& ratio = *found.best()->of(ObservedQuantity::contact_time);
+  EXPECT_NEAR(ratio.of_balls[0], 1.1, 2e-3);
+  EXPECT_NEAR(ratio.of_balls[1], 1.3, 2e-3);
+  EXPECT_NEAR(ratio.mean, std::sqrt(1.1 * 1.3), 2e-3);
+  EXPECT_NEAR(ratio.scatter_of_balls, std::log(1.3 / 1.1) / std::sqrt(2.0), 2e-3);
+  ASSERT_TRUE(found.common_factor);
+  EXPECT_GT(found.common_factor->reduced_chi_square, 10.0);
 }
 
 TEST(EffectsOnScalarsTest, TheEffectThatIsThereComesFirst) {

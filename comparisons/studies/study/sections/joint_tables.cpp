@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include "comparisons/studies/study/believed_simulation.hpp"
+#include "comparisons/studies/study/sections/observable_words.hpp"
+#include "comparisons/studies/study/study_report.hpp"
+
+namespace rebound {
+namespace {
+
+using Kind = report::TableColumn::Kind;
+
+report::Table joint_fit_table(const JointConsistency& consistency,
+                              const std::vector<const CoreStudy*>& cores) {
+  report::Table table{
+      .title = "All cores together, one kind of observable left out",
+      .caption =
+          "Measured over simulated of the kind that is left out; the mean over the cores, by "
+          "the logarithm, with its standard deviation among cores and among the shots of a "
+          "core.",
+      .columns = {{"left out", "", Kind::text, {}},
+                  {"reduced χ² of the rest", "noise = 1", Kind::number, {}},
+                  {"mean", "1", Kind::number, {}},
+                  {"scatter of cores", "1", Kind::number, {}},
+                  {"scatter of shots", "1", Kind::number, {}}},
+      .rows = {}};
+  for (const CoreStudy* core : cores)
+    table.columns.push_back({"core " + core->label, "1", Kind::number, {}});
+  for (const JointConsistencyFit& fit : consistency.without) {
+    const JointRatio& ratio = *fit.of(*fit.left_out);
+    auto& row = table.rows.emplace_back();
+    row = {report::text_cell(in_words(ratio.what)), report::number_cell(fit.reduced_chi_square, 3),
+           report::number_cell(ratio.mean, 3), report::number_cell(ratio.scatter_of_balls, 2),
+           report::number_cell(ratio.scatter_of_shots, 2)};
+    for (const double one : ratio.of_balls) row.push_back(report::number_cell(one, 3));
+  }
+  return table;
+}
+
+report::Table joint_effect_table(const JointEffects& found) {
+  report::Table table{
+      .title = "One effect in all cores",
+      .caption = fmt::format("Fitted to all speeds but the unseen one, each core with its own "
+                             "material. The criterion takes errors as {:.2g} times as large in χ², "
+                             "which is what the closest of all leaves.",
+                             found.scale),
+      .columns = {{"effect", "", Kind::text, {}},
+                  {"family", "", Kind::text, {}},
+                  {"in common", "", Kind::text, {}},
+                  {"its numbers", "1", Kind::number, {}},
+                  {"reduced χ²", "noise = 1", Kind::number, {}},
+                  {"unseen", "noise = 1", Kind::number, {}},
+                  {"criterion", "1", Kind::number, {}}},
+      .rows = {}};
+  for (const JointEffect& effect : found.effects)
+    for (const JointVariant& one : effect.variants)
+      table.rows.push_back(
+          {report::text_cell(effect.name), report::text_cell(name_of(effect.family)),
+           report::text_cell(name_of(one.in_common)), report::number_cell(one.numbers, 2),
+           report::number_cell(one.gap.all.fitted, 3),
+           one.gap.all.unseen ? report::number_cell(*one.gap.all.unseen, 3)
+                              : report::text_cell("–"),
+           report::number_cell(one.information_criterion, 4)});
+  return table;
+}
+
+}  // namespace
+
+std::vector<report::Table> joint_tables(const std::vector<CoreStudy>& cores,
+                                        const JointScalars& joint) {
+  return {joint_fit_table(joint.consistency, diagnosed_cores(cores)),
+          joint_effect_table(joint.effects)};
+}
+
+}  // namespace rebound
