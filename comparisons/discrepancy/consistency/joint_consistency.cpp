@@ -89,29 +89,54 @@ Observations divided(Observations seen, ObservedQuantity what, double factor) {
   return seen;
 }
 
-std::optional<CommonFactor> with_common_factor(
-    const std::vector<const ObservableConsistency*>& apart, const JointConsistencyFit& best,
-    const RunControl& control) {
-  const ObservedQuantity what = *best.left_out;
-  CommonFactor common{.what = what, .factor = best.of(what)->mean};
-  const FitsOfBalls starts = fits_without(apart, what);
+/// Reduced χ² of all balls, each fitted from `starts` to readings divided by a factor; nothing
+/// where a ball has no fit.
+std::optional<double> divided_gap(const std::vector<const ObservableConsistency*>& apart,
+                                  const FitsOfBalls& starts, ObservedQuantity what, double factor,
+                                  const RunControl& control) {
   struct Left {
     double chi_square = 0.0;
     int freedom = 0;
   };
   const auto left = fit_each<Left>(apart.size(), control, [&](std::size_t ball) {
-    const Observations seen = divided(*apart[ball]->all.seen, what, common.factor);
+    const Observations seen = divided(*apart[ball]->all.seen, what, factor);
     const HypothesisFit fit = fit_further(seen, starts[ball]->fit, control);
     return Left{fit.data_chi_square, fit.freedom};
   });
   double chi_square = 0.0;
-  int freedom = -1;
+  int freedom = -1;  // the factor is one number
   for (const auto& one : left) {
     if (!one) return std::nullopt;
     chi_square += one->chi_square;
     freedom += one->freedom;
   }
-  common.reduced_chi_square = chi_square / std::max(1, freedom);
+  return chi_square / std::max(1, freedom);
+}
+
+/// The factor that leaves least, by a parabola in its logarithm through no factor, the mean ratio
+/// of the fits without this kind, and half the way between.
+std::optional<CommonFactor> best_factor(const std::vector<const ObservableConsistency*>& apart,
+                                        const JointConsistencyFit& all,
+                                        const JointConsistencyFit& best,
+                                        const RunControl& control) {
+  const ObservedQuantity what = *best.left_out;
+  const FitsOfBalls starts = fits_without(apart, what);
+  CommonFactor common{.what = what, .factor = 1.0, .reduced_chi_square = all.reduced_chi_square};
+  const auto look_at = [&](double logarithm) {
+    const double factor = std::exp(logarithm);
+    const auto gap = divided_gap(apart, starts, what, factor, control);
+    if (gap && *gap < common.reduced_chi_square)
+      common = {.what = what, .factor = factor, .reduced_chi_square = *gap};
+    return gap;
+  };
+  const double step = 0.5 * std::log(best.of(what)->mean);
+  const auto half = look_at(step), whole = look_at(2.0 * step);
+  if (!half || !whole) return std::nullopt;
+  const double curvature = all.reduced_chi_square - 2.0 * *half + *whole;
+  const double slope = all.reduced_chi_square - *whole;
+  constexpr double farthest = 2.0;  // steps from half the way
+  if (curvature > 0.0)
+    look_at(step * (1.0 + std::clamp(0.5 * slope / curvature, -farthest, farthest)));
   return common;
 }
 
@@ -140,7 +165,7 @@ JointConsistency compare_jointly(const std::vector<const ObservableConsistency*>
     if (const FitsOfBalls fits = fits_without(apart, scalar.what); !fits.empty())
       joint.without.push_back(sum_of(fits));
   if (const JointConsistencyFit* best = joint.best())
-    joint.common_factor = with_common_factor(apart, *best, control);
+    joint.common_factor = best_factor(apart, joint.all, *best, control);
   return joint;
 }
 

@@ -28,7 +28,7 @@ struct JointConsistencyFit {
 /// One kind of observable of all balls divided by one factor, and all fitted to that.
 struct CommonFactor {
   ObservedQuantity what{};
-  double factor = 1.0;              ///< mean over the balls of measured over modelled [-]
+  double factor = 1.0;              ///< the one that leaves least [-]
   double reduced_chi_square = 0.0;  ///< of all balls; the factor counts as one number
 };
 

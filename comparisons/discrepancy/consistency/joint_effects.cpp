@@ -9,8 +9,9 @@
 namespace rebound {
 namespace {
 
-/// More would have to be nearest together though three were nearer apart.
-constexpr std::size_t most_effects = 4;
+/// The first has a rival; one that leaves more than first_look_reach times its χ² apart comes no
+/// nearer by having less freedom.
+constexpr std::size_t least_effects = 2, most_effects = 4;
 
 const HypothesisFit* tried_with(const FitsOfEffects& ball, const std::string& name) {
   const auto found = std::find_if(ball.tried.begin(), ball.tried.end(),
@@ -25,20 +26,31 @@ bool acts_on_one_shot(const EffectCard& card) {
 
 /// Those that bring the balls nearest by the fits apart, the sum over the balls.
 std::vector<std::string> nearest_apart(const std::vector<const FitsOfEffects*>& apart) {
-  std::vector<std::pair<double, std::string>> gains;
+  struct Promise {
+    std::string name;
+    double chi_square = 0.0, gain = 0.0;
+  };
+  std::vector<Promise> promises;
   for (const std::string& name : effect_names()) {
     if (acts_on_one_shot(find_effect(name).card)) continue;
-    double gain = 0.0;
-    for (const FitsOfEffects* ball : apart)
-      if (const HypothesisFit* fit = tried_with(*ball, name))
-        gain += std::max(0.0, ball->believed.information_criterion - fit->information_criterion);
-    if (gain > 0.0) gains.emplace_back(gain, name);
+    Promise one{.name = name};
+    for (const FitsOfEffects* ball : apart) {
+      const HypothesisFit* fit = tried_with(*ball, name);
+      one.chi_square += fit ? fit->chi_square : ball->believed.chi_square;
+      if (fit)
+        one.gain +=
+            std::max(0.0, ball->believed.information_criterion - fit->information_criterion);
+    }
+    if (one.gain > 0.0) promises.push_back(std::move(one));
   }
-  std::stable_sort(gains.begin(), gains.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(promises.begin(), promises.end(),
+                   [](const Promise& a, const Promise& b) { return a.gain > b.gain; });
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < std::min(most_effects, gains.size()); ++k)
-    names.push_back(gains[k].second);
+  for (const Promise& one : promises)
+    if (names.size() < least_effects ||
+        (names.size() < most_effects &&
+         one.chi_square < first_look_reach * promises.front().chi_square))
+      names.push_back(one.name);
   return names;
 }
 
@@ -90,67 +102,93 @@ JointGap gap_apart(const std::vector<const FitsOfEffects*>& apart,
 JointVariant with_own_numbers(const std::vector<const FitsOfEffects*>& apart,
                               const std::vector<const HypothesisFit*>& fits,
                               const std::string& name) {
-  JointVariant variant{.in_common = InCommon::nothing, .of_balls = {}, .gap = {}};
+  JointVariant variant{.in_common = InCommon::nothing, .of_balls = {}, .materials = {}, .gap = {}};
   double of_one = 1.0;
   for (const HypothesisFit* fit : fits) of_one = std::max(of_one, fit->effect_unknowns);
   variant.numbers = of_one * static_cast<double>(fits.size());
   for (const HypothesisFit* fit : fits) {
     variant.chi_square += fit->chi_square;
     variant.of_balls.push_back(fit->effects.empty() ? absent(name) : fit->effects.back());
+    variant.materials.push_back(fit->model->material_at(fit->values, 0));
   }
   variant.gap = gap_apart(apart, fits);
   return variant;
 }
 
-JointVariant with_common_numbers(const BallsTogether& balls,
-                                 const std::vector<const HypothesisFit*>& fits,
-                                 const EffectChoice& start, InCommon in_common,
-                                 const RunControl& control) {
-  const HypothesisFit fit = fit_together(balls, fits, start, control);
-  JointVariant variant{.in_common = in_common, .of_balls = {}, .gap = {}};
-  for (std::size_t ball = 0; ball < fits.size(); ++ball)
+JointVariant with_common_numbers(const BallsTogether& balls, const HypothesisFit& fit,
+                                 InCommon in_common) {
+  JointVariant variant{.in_common = in_common, .of_balls = {}, .materials = {}, .gap = {}};
+  for (std::size_t ball = 0; ball < balls.seen.balls.size(); ++ball) {
     variant.of_balls.push_back(effects_of_ball(fit.effects, ball).back());
+    variant.materials.push_back(fit.model->material_at(fit.values, ball));
+  }
   variant.numbers = fit.effect_unknowns;
   variant.chi_square = fit.chi_square;
   variant.gap.all.fitted = fit.reduced_chi_square();
   if (balls.unseen.shots.empty()) return variant;
   const HeldOutGap unseen = predict_unseen(balls.unseen, fit);
   variant.gap.all.unseen = unseen.reduced_chi_square;
-  std::vector<double> sum(fits.size(), 0.0), data(fits.size(), 0.0);
+  std::vector<double> sum(balls.seen.balls.size(), 0.0), data(balls.seen.balls.size(), 0.0);
   for (std::size_t shot = 0; shot < balls.unseen.shots.size(); ++shot) {
     const ShotGap& one = unseen.of_shots[shot];
     sum[balls.unseen.shots[shot].ball] += one.rows * one.reduced_chi_square;
     data[balls.unseen.shots[shot].ball] += one.rows;
   }
-  for (std::size_t ball = 0; ball < fits.size(); ++ball)
+  for (std::size_t ball = 0; ball < balls.seen.balls.size(); ++ball)
     if (data[ball] > 0.0) variant.gap.unseen_of_balls.push_back(sum[ball] / data[ball]);
   return variant;
+}
+
+using FitsApart = std::vector<std::optional<HypothesisFit>>;
+
+/// The fit of each ball with an effect, or without it where it brings the ball no closer.
+std::vector<const HypothesisFit*> best_of_balls(const std::vector<const FitsOfEffects*>& apart,
+                                                const FitsApart& own) {
+  std::vector<const HypothesisFit*> fits;
+  for (std::size_t ball = 0; ball < apart.size(); ++ball)
+    fits.push_back(own[ball] ? &*own[ball] : &apart[ball]->believed);
+  return fits;
+}
+
+/// What all balls hold in common, each can hold alone: searches that ended short of it go on there.
+void search_on_from(const HypothesisFit& all, const std::vector<const FitsOfEffects*>& apart,
+                    const BallsTogether& balls, const RunControl& control, FitsApart& own) {
+  double sum = 0.0;
+  for (const HypothesisFit* fit : best_of_balls(apart, own)) sum += fit->chi_square;
+  if (sum <= all.chi_square) return;
+  auto again = fit_each<HypothesisFit>(apart.size(), control, [&](std::size_t ball) {
+    return fit_alone(*apart[ball], all, ball, balls, control);
+  });
+  const auto known = best_of_balls(apart, own);
+  for (std::size_t ball = 0; ball < apart.size(); ++ball)
+    if (again[ball] && again[ball]->chi_square < known[ball]->chi_square)
+      own[ball] = std::move(again[ball]);
 }
 
 /// One effect in all balls, with more and more in common.
 std::optional<JointEffect> in_all_balls(const std::vector<const FitsOfEffects*>& apart,
                                         const BallsTogether& balls, const std::string& name,
                                         const RunControl& control) {
-  std::vector<std::optional<HypothesisFit>> own;
-  for (std::size_t ball = 0; ball < apart.size(); ++ball)
-    own.push_back(fit_apart(apart, ball, name, control));
-  std::vector<const HypothesisFit*> fits;
+  FitsApart own;
   std::vector<EffectChoice> choices;
-  for (std::size_t ball = 0; ball < apart.size(); ++ball) {
-    fits.push_back(own[ball] ? &*own[ball] : &apart[ball]->believed);
-    if (own[ball]) choices.push_back(own[ball]->effects.back());
-  }
+  for (std::size_t ball = 0; ball < apart.size(); ++ball)
+    if (own.push_back(fit_apart(apart, ball, name, control)); own.back())
+      choices.push_back(own.back()->effects.back());
   if (choices.empty()) return std::nullopt;
-  JointEffect effect{.name = name, .family = find_effect(name).card.family, .variants = {}};
-  effect.variants.push_back(with_own_numbers(apart, fits, name));
   EffectChoice start = middle_of(choices);
-  effect.variants.push_back(with_common_numbers(balls, fits, start, InCommon::everything, control));
-  if (effect.variants.back().numbers < 2.0) return effect;
+  const HypothesisFit one_size = fit_together(balls, best_of_balls(apart, own), start, control);
+  search_on_from(one_size, apart, balls, control, own);
+  const std::vector<const HypothesisFit*> fits = best_of_balls(apart, own);
+  JointEffect effect{.name = name,
+                     .family = find_effect(name).card.family,
+                     .variants = {with_common_numbers(balls, one_size, InCommon::everything),
+                                  with_own_numbers(apart, fits, name)}};
+  if (one_size.effect_unknowns < 2.0) return effect;
   for (const HypothesisFit* fit : fits)
     start.size_of_balls.push_back(fit->effects.empty() ? absent(name).size
                                                        : fit->effects.back().size);
-  effect.variants.push_back(
-      with_common_numbers(balls, fits, start, InCommon::all_but_size, control));
+  effect.variants.push_back(with_common_numbers(balls, fit_together(balls, fits, start, control),
+                                                InCommon::all_but_size));
   return effect;
 }
 

@@ -31,6 +31,7 @@ struct JointGap {
 struct JointVariant {
   InCommon in_common{};
   std::vector<EffectChoice> of_balls;  ///< with fitted numbers
+  std::vector<Material> materials;     ///< fitted beside it, of each ball
   double numbers = 0.0;                ///< k: fitted numbers of the effect
   double chi_square = 0.0;             ///< Σ r² over data and priors of all balls
   double information_criterion = 0.0;  ///< χ²/s + k ln N

@@ -14,18 +14,37 @@ double mean_of(const std::vector<double>& values, bool of_logarithms) {
   return of_logarithms ? std::exp(mean) : mean;
 }
 
-/// What one ball's fit has found of everything but the effect, put where all balls have it.
-void carry_numbers(const HypothesisFit& fit, std::size_t ball, std::size_t first_shot,
-                   std::size_t shots, HypothesisFit& all) {
-  const auto& from = fit.model->unknowns_of_ball(0);
-  const auto& to = all.model->unknowns_of_ball(ball);
-  for (std::size_t k = 0; k < from.size(); ++k) all.values[to[k]] = fit.values[from[k]];
-  for (std::size_t shot = 0; shot < shots; ++shot) {
-    const auto of_one = fit.model->nuisances_of(shot);
-    const auto of_all = all.model->nuisances_of(first_shot + shot);
+/// Where one ball has an unknown when it is alone, and among all balls.
+struct SameUnknown {
+  std::size_t alone, among_all;
+};
+
+/// All unknowns of a ball but those of the effect. Its shots are next to each other.
+std::vector<SameUnknown> unknowns_of(std::size_t ball, const JointModel& alone,
+                                     const JointModel& all, const Observations& seen) {
+  std::vector<SameUnknown> same;
+  const auto& own = alone.unknowns_of_ball(0);
+  for (std::size_t k = 0; k < own.size(); ++k)
+    same.push_back({own[k], all.unknowns_of_ball(ball)[k]});
+  std::size_t own_shot = 0;
+  for (std::size_t shot = 0; shot < seen.shots.size(); ++shot) {
+    if (seen.shots[shot].ball != ball) continue;
+    const auto of_one = alone.nuisances_of(own_shot++);
     for (std::size_t k = 0; k < of_one.size(); ++k)
-      all.values[of_all[k].unknown] = fit.values[of_one[k].unknown];
+      same.push_back({of_one[k].unknown, all.nuisances_of(shot)[k].unknown});
   }
+  return same;
+}
+
+/// A fit that has not been searched for, with an effect at its start.
+HypothesisFit unsearched(const Observations& seen, const std::shared_ptr<const FemBelief>& fem,
+                         const EffectChoice& start) {
+  HypothesisFit fit;
+  fit.effects = {start};
+  fit.hypothesis = {.believed = {}, .fem = fem, .effects = fit.effects};
+  fit.model = std::make_shared<const JointModel>(seen, fit.hypothesis);
+  fit.values = fit.model->start();
+  return fit;
 }
 
 }  // namespace
@@ -69,20 +88,21 @@ EffectChoice middle_of(const std::vector<EffectChoice>& choices) {
 HypothesisFit fit_together(const BallsTogether& balls,
                            const std::vector<const HypothesisFit*>& apart,
                            const EffectChoice& start, const RunControl& control) {
-  HypothesisFit near;
-  near.effects = {start};
-  near.hypothesis = {.believed = {}, .fem = balls.fem, .effects = near.effects};
-  near.model = std::make_shared<const JointModel>(balls.seen, near.hypothesis);
-  near.values = near.model->start();
-  std::size_t first = 0;
-  for (std::size_t ball = 0; ball < apart.size(); ++ball) {
-    std::size_t shots = 0;
-    while (first + shots < balls.seen.shots.size() && balls.seen.shots[first + shots].ball == ball)
-      ++shots;
-    carry_numbers(*apart[ball], ball, first, shots, near);
-    first += shots;
-  }
+  HypothesisFit near = unsearched(balls.seen, balls.fem, start);
+  for (std::size_t ball = 0; ball < apart.size(); ++ball)
+    for (const auto& [alone, among_all] :
+         unknowns_of(ball, *apart[ball]->model, *near.model, balls.seen))
+      near.values[among_all] = apart[ball]->values[alone];
   return fit_further(balls.seen, near, control);
+}
+
+HypothesisFit fit_alone(const FitsOfEffects& own, const HypothesisFit& all, std::size_t ball,
+                        const BallsTogether& balls, const RunControl& control) {
+  const EffectChoice start = effects_of_ball(all.effects, ball).back();
+  HypothesisFit near = unsearched(*own.seen, own.believed.hypothesis.fem, start);
+  for (const auto& [alone, among_all] : unknowns_of(ball, *near.model, *all.model, balls.seen))
+    near.values[alone] = all.values[among_all];
+  return fit_further(*own.seen, near, control);
 }
 
 }  // namespace rebound

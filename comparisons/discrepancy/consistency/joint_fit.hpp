@@ -31,4 +31,9 @@ HypothesisFit fit_together(const BallsTogether& balls,
                            const std::vector<const HypothesisFit*>& apart,
                            const EffectChoice& start, const RunControl& control);
 
+/// One ball alone, by a search from what a fit of all balls has found of it.
+/// Errors: as fit_further(). Caution: the fit looks at what was seen of `own`.
+HypothesisFit fit_alone(const FitsOfEffects& own, const HypothesisFit& all, std::size_t ball,
+                        const BallsTogether& balls, const RunControl& control);
+
 }  // namespace rebound

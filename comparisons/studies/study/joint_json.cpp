@@ -44,6 +44,7 @@ Json variant_json(const JointVariant& variant, const Labels& cores) {
   for (std::size_t i = 0; i < cores.size(); ++i)
     of_cores.push_back({{"label", cores[i]->label},
                         {"size", variant.of_balls[i].size},
+                        {"youngs_modulus_Pa", variant.materials[i].youngs_modulus},
                         {"parameters", parameters_json(variant.of_balls[i])}});
   return {{"in_common", name_of(variant.in_common)},
           {"numbers", variant.numbers},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "comparisons/io/results/key_words.hpp"
 #include "comparisons/studies/study/believed_simulation.hpp"
@@ -22,13 +23,32 @@ std::string from_to_percent(const std::vector<double>& ratios) {
 }
 
 /// Whether the kind is mended by one rule of reading it.
-std::string common_factor_sentence(const CommonFactor& common) {
-  const bool mends = common.reduced_chi_square <= agreeing;
-  return fmt::format(
-      "Every {} divided by {:.2f} leaves {:.2g}: one factor {}.", in_words(common.what),
-      common.factor, common.reduced_chi_square,
-      mends ? "for all cores and speeds would mend them"
-            : "does not mend them, since the excess grows with the speed or differs between cores");
+std::string common_factor_sentence(const JointConsistency& found) {
+  const CommonFactor& common = *found.common_factor;
+  const JointRatio& ratio = *found.best()->of(common.what);
+  const std::string divided = fmt::format(
+      "With every {} divided by {:.2f}, the one factor that leaves least, all cores leave {:.2g}: ",
+      in_words(common.what), common.factor, common.reduced_chi_square);
+  if (common.reduced_chi_square <= agreeing) return divided + "one factor would mend them all.";
+  return divided + fmt::format(
+                       "no one factor mends them, for the excess differs by {:.0f} % between the "
+                       "speeds of a core and by {:.0f} % between cores.",
+                       100 * ratio.scatter_of_shots, 100 * ratio.scatter_of_balls);
+}
+
+/// The excess of a kind speed by speed, over the cores that have one.
+std::string by_speed(const std::vector<const CoreStudy*>& cores, ObservedQuantity what) {
+  std::map<double, std::vector<double>> ratios;
+  for (const CoreStudy* core : cores)
+    for (const ConsistencyFit& fit : core->scalars->consistency.without)
+      if (fit.left_out == what)
+        for (std::size_t i = 0; i < core->scalars->all.shots.size(); ++i)
+          if (const double ratio = fit.of(what).of_shots[i]; std::isfinite(ratio))
+            ratios[core->scalars->all.shots[i].impact.speed].push_back(ratio);
+  std::vector<std::string> speeds;
+  for (const auto& [speed, of_cores] : ratios)
+    speeds.push_back(fmt::format("{} at {:g} m/s", from_to_percent(of_cores), speed));
+  return fmt::format("{}", fmt::join(speeds, ", "));
 }
 
 /// What the others do once a kind is left out, kind by kind.
@@ -100,7 +120,7 @@ std::string unseen_sentence(const JointScalars& joint) {
   const std::string where = joint.unseen_speed
                                 ? fmt::format("at {:g} m/s, which no fit saw", *joint.unseen_speed)
                                 : std::string("at the speeds that no fit saw");
-  return fmt::format(", and {} from {:.2g} to {:.2g}: {}", where, *before.unseen, *after.unseen,
+  return fmt::format(", and {}, from {:.2g} to {:.2g}: {}", where, *before.unseen, *after.unseen,
                      joint.earns_a_name()
                          ? "half of the excess or more, and the name stands"
                          : "less than half of the excess, so that it earns no name");
@@ -140,12 +160,11 @@ report::Notice joint_contradiction(const std::vector<CoreStudy>& cores, const Jo
   const JointConsistencyFit* best = joint.consistency.best();
   if (!best || joint.consistency.all.reduced_chi_square <= agreeing) return notice;
   const JointRatio& ratio = *best->of(*best->left_out);
-  notice.evidence = fmt::format(
-      "Scatter of measured over simulated: {:.0f} % among cores, {:.0f} % among the speeds of a "
-      "core. Without it, measured over simulated of the others: {}.",
-      100 * ratio.scatter_of_balls, 100 * ratio.scatter_of_shots, others_of(*best));
+  notice.evidence =
+      fmt::format("Speed by speed: {}. Measured over simulated of the others, without it: {}.",
+                  by_speed(diagnosed_cores(cores), ratio.what), others_of(*best));
   if (joint.consistency.common_factor)
-    notice.evidence += " " + common_factor_sentence(*joint.consistency.common_factor);
+    notice.evidence += " " + common_factor_sentence(joint.consistency);
   return notice;
 }
 
@@ -212,8 +231,7 @@ std::string joint_text(const std::vector<CoreStudy>& cores,
                        const std::optional<JointScalars>& joint) {
   if (!joint) return {};
   std::string text = "\n" + joint_contradiction(cores, *joint).text + "\n";
-  if (joint->consistency.common_factor)
-    text += common_factor_sentence(*joint->consistency.common_factor) + "\n";
+  if (joint->consistency.common_factor) text += common_factor_sentence(joint->consistency) + "\n";
   return text + joint_effect(cores, *joint).text + "\n";
 }
 

@@ -63,12 +63,44 @@ report::Table joint_effect_table(const JointEffects& found) {
   return table;
 }
 
+/// Modulus at long times by slow tests, which no fit here saw, and by the impacts.
+report::Table modulus_table(const JointEffects& found, const std::vector<const CoreStudy*>& cores) {
+  report::Table table{
+      .title = "Modulus by slow tests and by impacts",
+      .caption = "Young's modulus at long times. No fit of an impact has seen a slow test.",
+      .columns = {{"ball", "", Kind::text, {}},
+                  {"two platens", "MPa", Kind::number, report::Origin::derived},
+                  {"block", "MPa", Kind::number, report::Origin::measured},
+                  {"impacts, as believed", "MPa", Kind::number, report::Origin::fitted}},
+      .rows = {}};
+  if (!found.effects.empty())
+    table.columns.push_back({"impacts, with " + found.effects.front().name, "MPa", Kind::number,
+                             report::Origin::fitted});
+  for (std::size_t i = 0; i < cores.size(); ++i) {
+    const CoreStudy& core = *cores[i];
+    const auto& blocks = core.data.block_tests;
+    const HypothesisFit& believed = core.scalars->fits.believed;
+    const double modulus = believed.model->material_at(believed.values, 0).youngs_modulus;
+    auto& row = table.rows.emplace_back();
+    row = {report::text_cell("core " + core.label),
+           report::number_cell(core.long_term_modulus / 1e6, 3),
+           blocks.empty() ? report::text_cell("–")
+                          : report::number_cell(*blocks.front().modulus.value / 1e6, 3),
+           report::number_cell(modulus / 1e6, 3)};
+    if (!found.effects.empty())
+      row.push_back(
+          report::number_cell(found.effects.front().chosen().materials[i].youngs_modulus / 1e6, 3));
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<report::Table> joint_tables(const std::vector<CoreStudy>& cores,
                                         const JointScalars& joint) {
-  return {joint_fit_table(joint.consistency, diagnosed_cores(cores)),
-          joint_effect_table(joint.effects)};
+  const auto diagnosed = diagnosed_cores(cores);
+  return {joint_fit_table(joint.consistency, diagnosed), joint_effect_table(joint.effects),
+          modulus_table(joint.effects, diagnosed)};
 }
 
 }  // namespace rebound

@@ -112,6 +112,9 @@ TEST(JointScalarsTest, OneFactorDoesNotMendWhatBallsDifferIn) {
   EXPECT_NEAR(ratio.scatter_of_balls, std::log(1.3 / 1.1) / std::sqrt(2.0), 2e-3);
   ASSERT_TRUE(found.common_factor);
   EXPECT_GT(found.common_factor->reduced_chi_square, 10.0);
+  EXPECT_GT(found.common_factor->factor, 1.1);
+  EXPECT_LT(found.common_factor->factor, 1.3);
+  EXPECT_LT(found.common_factor->reduced_chi_square, found.all.reduced_chi_square);
 }
 
 TEST(EffectsOnScalarsTest, TheEffectThatIsThereComesFirst) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <map>
 
 #include "comparisons/discrepancy/consistency/joint_fit.hpp"
 #include "comparisons/discrepancy/consistency/joint_observations.hpp"
@@ -101,6 +101,12 @@ TEST(JointScalarsTest, OneHiddenSizeIsFoundAsOne) {
   EXPECT_LT(chosen.gap.all.fitted, 0.1);
   EXPECT_EQ(chosen.gap.unseen_of_balls.size(), 2u);
   EXPECT_LT(*chosen.gap.all.unseen, 0.1 * *found.believed.all.unseen);
+  // What all balls hold in common, each can hold alone: fits apart are never farther.
+  for (const JointEffect& effect : found.effects) {
+    std::map<InCommon, double> chi_square;
+    for (const JointVariant& one : effect.variants) chi_square[one.in_common] = one.chi_square;
+    EXPECT_LE(chi_square[InCommon::nothing], chi_square[InCommon::everything]) << effect.name;
+  }
 }
 
 TEST(JointScalarsTest, TwoHiddenSizesStayTwo) {
