@@ -108,8 +108,9 @@ std::string choice_sentence(const JointEffect& effect) {
                                                      : "numbers of each core";
   };
   return fmt::format(
-      " By the information criterion {} ({:.3g}, {:g} numbers) is preferred to {} "
-      "({:.3g}, {:g} numbers).",
+      " By the information criterion {} ({:.3g} with {:g} of its numbers fitted) is preferred to "
+      "{} "
+      "({:.3g} with {:g}).",
       in_short(chosen), chosen.information_criterion, chosen.numbers, in_short(other),
       other.information_criterion, other.numbers);
 }
@@ -187,8 +188,8 @@ report::Matrix gap_matrix(const std::vector<CoreStudy>& cores, const JointScalar
                         .caption =
                             "Mean squared distance in standard deviations of the noise: 1 "
                             "for noise alone. Each core has its own material.",
-                        .quantity = "gap at the unseen speed",
-                        .unit = "noise = 1",
+                        .quantity = "gap at the unseen speed, 1 for noise alone",
+                        .unit = "1",
                         .row_heading = "model",
                         .hatching = {},
                         .scale = {report::ColourScale::Kind::sequential, 10.0},
