@@ -63,11 +63,22 @@ report::Table joint_effect_table(const JointEffects& found) {
   return table;
 }
 
+/// What softening with strain leaves of a modulus at large strain.
+double softened_modulus(const JointVariant& variant, std::size_t ball) {
+  FemProblem problem;
+  problem.material = variant.materials[ball];
+  if (find_effect(variant.of_balls[ball].name).to_fem)
+    apply_effects({variant.of_balls[ball]}, problem);
+  return problem.material.youngs_modulus * (1.0 - problem.material.strain.softening);
+}
+
 /// Modulus at long times by slow tests, which no fit here saw, and by the impacts.
 report::Table modulus_table(const JointEffects& found, const std::vector<const CoreStudy*>& cores) {
   report::Table table{
       .title = "Modulus by slow tests and by impacts",
-      .caption = "Young's modulus at long times. No fit of an impact has seen a slow test.",
+      .caption =
+          "Young's modulus at long times and small strain; softened: what is left of it at the "
+          "plateau, for stress over strain. No fit of an impact has seen a slow test.",
       .columns = {{"ball", "", Kind::text, {}},
                   {"two platens", "MPa", Kind::number, report::Origin::derived},
                   {"block", "MPa", Kind::number, report::Origin::measured},
@@ -76,6 +87,9 @@ report::Table modulus_table(const JointEffects& found, const std::vector<const C
   if (!found.effects.empty())
     table.columns.push_back({"impacts, with " + found.effects.front().name, "MPa", Kind::number,
                              report::Origin::fitted});
+  if (!found.effects.empty())
+    table.columns.push_back(
+        {"the same, softened by strain", "MPa", Kind::number, report::Origin::fitted});
   for (std::size_t i = 0; i < cores.size(); ++i) {
     const CoreStudy& core = *cores[i];
     const auto& blocks = core.data.block_tests;
@@ -87,9 +101,10 @@ report::Table modulus_table(const JointEffects& found, const std::vector<const C
            blocks.empty() ? report::text_cell("–")
                           : report::number_cell(*blocks.front().modulus.value / 1e6, 3),
            report::number_cell(modulus / 1e6, 3)};
-    if (!found.effects.empty())
-      row.push_back(
-          report::number_cell(found.effects.front().chosen().materials[i].youngs_modulus / 1e6, 3));
+    if (found.effects.empty()) continue;
+    const JointVariant& chosen = found.effects.front().chosen();
+    row.push_back(report::number_cell(chosen.materials[i].youngs_modulus / 1e6, 3));
+    row.push_back(report::number_cell(softened_modulus(chosen, i) / 1e6, 3));
   }
   return table;
 }
