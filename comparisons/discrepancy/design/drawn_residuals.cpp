@@ -116,13 +116,21 @@ void DrawnResiduals::draw_noise(std::uint64_t seed) {
   unseen_squares_ = unseen_noise_.colwise().squaredNorm();
 }
 
-HiddenChange DrawnResiduals::hidden(const std::string& name, const Eigen::VectorXd& change) const {
+HiddenChange DrawnResiduals::hidden(const std::string& name, const Eigen::VectorXd& change,
+                                    const Eigen::MatrixXd& columns) const {
   const Eigen::VectorXd moved = -change, fitted = rows_.seen(moved), missed = rows_.unseen(moved);
   HiddenChange hidden;
   hidden.name =
       static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
   hidden.seen = seen_.transpose() * moved;
   hidden.all = all_.transpose() * moved;
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    const Eigen::VectorXd own = rows_.seen(columns.col(j));
+    const double length = own.norm(), length_of_all = columns.col(j).norm();
+    if (ways_[static_cast<std::size_t>(j)].length == 0.0 || !(length > 0.0)) continue;
+    hidden.seen[j] = own.dot(moved) / length;
+    hidden.all[j] = columns.col(j).dot(moved) / length_of_all;
+  }
   hidden.seen_cells = seen_cells_.transpose() * moved;
   hidden.all_cells = all_cells_.transpose() * moved;
   hidden.unseen = unseen_.transpose() * missed;

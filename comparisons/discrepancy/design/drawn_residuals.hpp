@@ -59,7 +59,10 @@ class DrawnResiduals {
  public:
   DrawnResiduals(const PlannedData& data, const SelectionRules& rules, std::uint64_t seed);
 
-  HiddenChange hidden(const std::string& name, const Eigen::VectorXd& change) const;
+  /// `columns`: of all ways around the fit to what is hidden; empty: those of the plan. Noise is
+  /// seen along those of the plan in either case.
+  HiddenChange hidden(const std::string& name, const Eigen::VectorXd& change,
+                      const Eigen::MatrixXd& columns) const;
   /// Null: nothing is hidden.
   DrawnStatistics draw(Eigen::Index number, const HiddenChange* hidden) const;
   Eigen::Index draws() const { return noise_.cols(); }

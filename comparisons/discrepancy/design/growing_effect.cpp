@@ -28,9 +28,14 @@ GrowingEffect::GrowingEffect(const PlannedData& data, const RefittedChange& refi
   const bool is_dear = data.fit->model->fem() && !is_measurement(name_);
   least_ = is_dear ? least_visible_to_first_order(*data.around, *data.seen, card, rise)
                    : least_visible(*data.around, card, rise);
-  if (!is_dear || !least_) return;
-  linear_ = refitted.by(least_->effect);
-  if (!linear_) least_.reset();
+  if (!least_) return;
+  const std::optional<Refitted> found = refitted.by(least_->effect);
+  if (!found) {
+    least_.reset();
+    return;
+  }
+  if (is_dear) linear_ = found->change;
+  if (!data.fit->model->fem()) columns_ = refitted.columns_at(found->values);
 }
 
 EffectChoice GrowingEffect::at(double size) const {
@@ -41,13 +46,15 @@ EffectChoice GrowingEffect::at(double size) const {
 
 std::optional<Eigen::VectorXd> GrowingEffect::change(double size) const {
   if (linear_) return *linear_ * (size / least_->size);
-  return refitted_.by(at(size));
+  const std::optional<Refitted> found = refitted_.by(at(size));
+  if (!found) return std::nullopt;
+  return found->change;
 }
 
 std::optional<double> GrowingEffect::size_of(double rise) const {
   if (linear_) return least_->size * std::sqrt(rise) / data_.around->project(*linear_).norm();
   return smallest_size(find_effect(name_).card, least_->sign, [&](double size) {
-    const auto risen = data_.around->rise(at(size));
+    const auto risen = refitted_.rise(at(size));
     return risen && *risen >= rise;
   });
 }
@@ -62,7 +69,7 @@ std::vector<SizeOfChance> chances_over_size(const PredictedDiagnosis& predicted,
     if (!size) break;
     const auto change = effect.change(*size);
     if (!change) break;
-    const DiagnosisChances said = predicted.with(effect.name(), *change);
+    const DiagnosisChances said = predicted.with(effect.name(), *change, effect.columns());
     // No effect that is larger is found less often but for the noise of the draws.
     all.push_back({.hidden = effect.at(*size),
                    .size = *size,

@@ -26,6 +26,8 @@ class GrowingEffect {
   bool is_found() const { return least_.has_value(); }  ///< else the rest may not be asked
   EffectChoice at(double size) const;
   std::optional<Eigen::VectorXd> change(double size) const;
+  /// Of all effects, as they are around the fit to data with this one hidden in them.
+  const Eigen::MatrixXd& columns() const { return columns_; }
   /// The size that raises χ² by this much; nothing where none does.
   std::optional<double> size_of(double rise) const;
 
@@ -34,6 +36,7 @@ class GrowingEffect {
   const RefittedChange& refitted_;
   std::string name_;
   std::optional<LeastVisible> least_;
+  Eigen::MatrixXd columns_;                ///< of all effects around the fit with this one hidden
   std::optional<Eigen::VectorXd> linear_;  ///< the change at that size, where every one is dear
 };
 

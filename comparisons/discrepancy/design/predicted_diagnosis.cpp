@@ -229,9 +229,9 @@ DiagnosisChances PredictedDiagnosis::chances(const HiddenChange* hidden) const {
   return {.gap = gaps / all, .named = named / all};
 }
 
-DiagnosisChances PredictedDiagnosis::with(const std::string& name,
-                                          const Eigen::VectorXd& change) const {
-  const HiddenChange hidden = residuals_->hidden(name, change);
+DiagnosisChances PredictedDiagnosis::with(const std::string& name, const Eigen::VectorXd& change,
+                                          const Eigen::MatrixXd& columns) const {
+  const HiddenChange hidden = residuals_->hidden(name, change, columns);
   return chances(&hidden);
 }
 
