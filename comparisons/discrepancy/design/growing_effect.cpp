@@ -61,7 +61,7 @@ std::optional<double> GrowingEffect::size_of(double rise) const {
 
 std::vector<SizeOfChance> chances_over_size(const PredictedDiagnosis& predicted,
                                             const GrowingEffect& effect) {
-  constexpr double smallest_step = 1.0, step = 0.5, most_steps = 12.0;  // of √Δχ²
+  constexpr double smallest_step = 1.0, step = 0.6, most_steps = 12.0;  // of √Δχ²
   constexpr double surely = 0.98;
   std::vector<SizeOfChance> all;
   for (double root = smallest_step; root < most_steps; root += step) {

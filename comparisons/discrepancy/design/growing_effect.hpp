@@ -40,7 +40,7 @@ class GrowingEffect {
   std::optional<Eigen::VectorXd> linear_;  ///< the change at that size, where every one is dear
 };
 
-/// What is said of an effect from sizes that never show to sizes that always do, in steps of a half
+/// What is said of an effect from sizes that never show to sizes that always do, in steps of 0.6
 /// of √Δχ².
 std::vector<SizeOfChance> chances_over_size(const PredictedDiagnosis& predicted,
                                             const GrowingEffect& effect);

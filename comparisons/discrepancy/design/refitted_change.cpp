@@ -38,9 +38,9 @@ std::optional<Eigen::VectorXd> RefittedChange::unfitted(const EffectChoice& effe
 }
 
 std::optional<double> RefittedChange::rise(const EffectChoice& effect) const {
-  const std::optional<Eigen::VectorXd> change = unfitted(effect);
-  if (!change) return std::nullopt;
-  return data_.around->project(*change).squaredNorm();
+  const std::optional<Refitted> found = by(effect);
+  if (!found) return std::nullopt;
+  return data_.around->project(found->change).squaredNorm();
 }
 
 std::optional<Refitted> RefittedChange::by(const EffectChoice& effect) const {

@@ -34,7 +34,7 @@ class RefittedChange {
 
   /// Nothing where the effect has no form here, or no answer.
   std::optional<Refitted> by(const EffectChoice& effect) const;
-  /// |Δ⊥|²: how far χ² rises by it without noise, what first order takes up taken out.
+  /// |change|², what derivatives can still take up taken out: how far χ² rises without noise.
   std::optional<double> rise(const EffectChoice& effect) const;
   /// Columns of `data.around`, in its order, as they are around these values.
   Eigen::MatrixXd columns_at(const std::vector<double>& values) const;
