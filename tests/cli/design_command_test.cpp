@@ -39,6 +39,25 @@ TEST_F(DesignCommand, SaysWhatWouldBeFound) {
   EXPECT_NE(rebound({"design", "plan.toml"}).output.find("found from"), std::string::npos);
 }
 
+TEST_F(DesignCommand, AnEffectAloneNeedsExperiments) {
+  folder.write("plan.toml", plan);
+  const auto outcome = rebound({"design", "plan.toml", "--effect", "relaxation", "--json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["error"]["key"], "--effect");
+}
+
+TEST_F(DesignCommand, CountsWhatItPredicts) {
+  folder.write("plan.toml", plan);
+  const auto outcome = rebound(
+      {"design", "plan.toml", "--experiments", "2", "--effect", "strain-stiffening", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto rows = nlohmann::json::parse(outcome.output)["experiments"];
+  ASSERT_EQ(rows.size(), 4u);  // nothing, and three sizes
+  EXPECT_TRUE(rows[0]["effect"].is_null());
+  EXPECT_EQ(rows[3]["experiments"], 2);
+  EXPECT_LE(rows[3]["gap_counted"]["low"], rows[3]["gap_counted"]["value"]);
+}
+
 TEST_F(DesignCommand, ThreadsChangeNothing) {
   folder.write("plan.toml", plan);
   EXPECT_EQ(rebound({"design", "plan.toml", "--json", "--threads", "1"}).output,

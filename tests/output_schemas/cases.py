@@ -108,7 +108,7 @@ CASES = [
     ["synthesize", "light.toml", "--out", "light"],
     ["synthesize", "heavy.toml", "--out", "heavy"],
     ["diagnose", "light/data", "heavy/data", "--model", "lumped.toml"],
-    ["design", "plan.toml"],
+    ["design", "plan.toml", "--experiments", "1", "--effect", "strain-stiffening"],
     ["trials", "blind", "--count", "2"],
     ["trials", "blind"],
     ["campaign", "campaign.toml", "--out", "store"],

@@ -36,18 +36,25 @@ bool halve_speed_errors(SynthesisFile& plan) {
 
 }  // namespace
 
-PlannedData planned_data(const SynthesisFile& plan) {
-  PlannedData data;
-  data.seen = std::make_unique<const Observations>(
-      observe({synthesize(plan, simulator_of(plan, {})).dataset}));
-  const Hypothesis believed{.believed = plan.lumped, .effects = {}, .model_discrepancy = nullptr};
-  const JointModel model(*data.seen, believed);
+void check_enough(const Observations& seen, const Hypothesis& believed) {
+  if (!seen.missing.empty())
+    throw Error(ExitCode::bad_input, "nothing would be told",
+                {.key = "shot", .allowed = seen.missing.front()});
+  const JointModel model(seen, believed);
   const auto priors = model.residuals(model.start()).size() - model.rows().size();
   if (model.rows().size() < model.unknowns().size() - priors + 2)
     throw Error(ExitCode::bad_input,
                 fmt::format("the plan gives {} numbers for {} unknowns: nothing is left to tell",
                             model.rows().size(), model.unknowns().size() - priors),
                 {.key = "shot", .allowed = "a force history with its noise, or further speeds"});
+}
+
+PlannedData planned_data(const SynthesisFile& plan) {
+  PlannedData data;
+  data.seen = std::make_shared<const Observations>(
+      observe({synthesize(plan, simulator_of(plan, {})).dataset}));
+  const Hypothesis believed{.believed = plan.lumped, .effects = {}, .model_discrepancy = nullptr};
+  check_enough(*data.seen, believed);
   data.fit = std::make_unique<const HypothesisFit>(fit_hypothesis(*data.seen, believed));
   data.around =
       std::make_unique<const EffectSensitivities>(*data.seen, *data.fit, absent_effects({}));
@@ -58,6 +65,8 @@ std::vector<ChangedPlan> changed_plans(const SynthesisFile& plan) {
   const auto [slow, fast] = std::minmax_element(
       plan.shots.begin(), plan.shots.end(),
       [](const SynthesisShot& a, const SynthesisShot& b) { return a.speed < b.speed; });
+  const bool records = std::any_of(plan.shots.begin(), plan.shots.end(),
+                                   [](const SynthesisShot& shot) { return shot.history; });
   std::vector<ChangedPlan> all;
   const auto add = [&](const std::string& what, const auto& change) {
     ChangedPlan one{what, plan};
@@ -72,20 +81,20 @@ std::vector<ChangedPlan> changed_plans(const SynthesisFile& plan) {
     for (SynthesisShot& shot : file.shots) shot.repeats *= 2;
     return true;
   });
-  add("half the noise of the force", [](SynthesisFile& file) {
-    if (!file.instrument.force_noise) return false;
+  add("half the noise of the force", [&](SynthesisFile& file) {
+    if (!records || !file.instrument.force_noise) return false;
     *file.instrument.force_noise *= 0.5;
     return true;
   });
-  add("the force gain known ten times as well", [](SynthesisFile& file) {
-    if (!(file.instrument.force_gain_uncertainty.value_or(0.0) > 0.0)) return false;
+  add("the force gain known ten times as well", [&](SynthesisFile& file) {
+    if (!records || !(file.instrument.force_gain_uncertainty.value_or(0.0) > 0.0)) return false;
     *file.instrument.force_gain_uncertainty *= 0.1;
     return true;
   });
   add("speeds known twice as well", halve_speed_errors);
   add(fmt::format("deflection measured to {:.0f} um beside the force", 1e6 * deflection_noise),
-      [](SynthesisFile& file) {
-        if (file.instrument.deflection == DeflectionOrigin::independent) return false;
+      [&](SynthesisFile& file) {
+        if (!records || file.instrument.deflection == DeflectionOrigin::independent) return false;
         file.instrument.deflection = DeflectionOrigin::independent;
         file.instrument.deflection_noise = deflection_noise;
         file.instrument.deflection_gain_uncertainty = deflection_gain;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,18 @@ namespace rebound {
 /// The data that a plan would give where nothing is hidden, the believed model fitted to them, and
 /// all that may be missing around that fit.
 struct PlannedData {
-  std::unique_ptr<const Observations> seen;
+  std::shared_ptr<const Observations> seen;
   std::unique_ptr<const HypothesisFit> fit;
   std::unique_ptr<const EffectSensitivities> around;
+  /// Of a believed FE model: what its mesh gets wrong, over the peak force [-].
+  std::optional<double> numerical_uncertainty{};
 };
 
-/// Errors: as synthesize() and fit_hypothesis(); Error(bad_input) for fewer data than unknowns.
+/// Errors: Error(bad_input) for fewer data than unknowns.
+void check_enough(const Observations& seen, const Hypothesis& believed);
+
+/// Of a lumped model. Errors: as synthesize() and fit_hypothesis(); Error(bad_input) for fewer data
+/// than unknowns.
 PlannedData planned_data(const SynthesisFile& plan);
 
 /// A plan that differs in one thing.

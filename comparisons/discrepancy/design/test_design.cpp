@@ -1,12 +1,16 @@
 #include "comparisons/discrepancy/design/test_design.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "comparisons/discrepancy/design/chance_found.hpp"
+#include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
+#include "comparisons/discrepancy/design/planned_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/search/excluded_sizes.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -18,9 +22,6 @@ constexpr double surplus = 1.2815515655446004;  // Φ⁻¹(0.9)
 constexpr double alike = 0.99;  // cosine from which two effects are one in these data
 
 void check_plan(const SynthesisFile& plan) {
-  if (plan.tier == Tier::fem)
-    throw Error(ExitCode::bad_input, "a test is designed around a lumped model",
-                {.key = "model.tier", .value = "fem", .allowed = "lumped"});
   if (!plan.effects.empty())
     throw Error(
         ExitCode::bad_input,
@@ -49,21 +50,19 @@ void find_rival(const EffectSensitivities& around, FindableEffect& effect) {
   }
 }
 
-FindableEffect findable(const EffectSensitivities& around, const std::string& name,
+FindableEffect findable(const PlannedData& data, const RefittedChange& refitted,
+                        const PredictedDiagnosis& predicted, const std::string& name,
                         double threshold, double close_criterion) {
   FindableEffect effect{.name = name};
-  const EffectCard& card = find_effect(name).card;
-  const auto size_at = [&](double rise) -> std::optional<double> {
-    const auto found = size_that_raises(around, card, rise);
-    if (!found) return std::nullopt;
-    return found->size;
-  };
-  const double found_rise = std::pow(std::sqrt(threshold) + surplus, 2);
-  effect.found = size_at(found_rise);
-  find_rival(around, effect);
-  if (!effect.found || effect.cosine > alike) return effect;
+  find_rival(*data.around, effect);
+  const GrowingEffect growing(data, refitted, name, rise_of_chance(design_chance, threshold));
+  if (!growing.is_found()) return effect;
+  effect.chances = chances_over_size(predicted, growing);
+  effect.sizes = sizes_of_chances(effect.chances);
+  if (!effect.found() || effect.cosine > alike) return effect;
   const double apart = std::pow(surplus + std::sqrt(surplus * surplus + close_criterion), 2);
-  effect.told_apart = size_at(std::max(found_rise, apart / (1.0 - effect.cosine * effect.cosine)));
+  if (const auto told = growing.size_of(apart / (1.0 - effect.cosine * effect.cosine)))
+    effect.told_apart = std::max(*effect.found(), *told);
   return effect;
 }
 
@@ -104,7 +103,30 @@ std::vector<std::string> with_a_size(const EffectSensitivities& around) {
   return names;
 }
 
+std::vector<std::string> without_form_in_fem(const std::vector<std::string>& names) {
+  std::vector<std::string> without;
+  for (const std::string& name : names)
+    if (!find_effect(name).to_fem && !is_measurement(name)) without.push_back(name);
+  return without;
+}
+
+std::vector<std::string> warnings_of(const PlannedData& data) {
+  std::vector<std::string> warnings = data.seen->warnings;
+  if (data.numerical_uncertainty)
+    warnings.push_back(fmt::format(
+        "what the mesh of the believed FE model gets wrong, {:.2g} % of the peak force, "
+        "counts among the errors of the data",
+        100.0 * *data.numerical_uncertainty));
+  return warnings;
+}
+
 }  // namespace
+
+std::optional<double> FindableEffect::found_with(double chance) const {
+  for (const SizeOfChance& one : sizes)
+    if (one.gap == chance) return one.size;
+  return std::nullopt;
+}
 
 TestDesign design_test(const SynthesisFile& plan, std::uint64_t seed, const RunControl& control) {
   check_plan(plan);
@@ -113,25 +135,36 @@ TestDesign design_test(const SynthesisFile& plan, std::uint64_t seed, const RunC
       throw Error(ExitCode::interrupted, "interrupted while the plan was examined");
     if (control.progress) control.progress(fraction);
   };
+  std::optional<PlannedFem> fem;
+  if (plan.tier == Tier::fem) fem.emplace(plan, control);
+  continue_at(0.1);
   const SelectionRules rules;
-  const PlannedData data = planned_data(plan);
+  const PlannedData data = fem ? fem->data() : planned_data(plan);
+  continue_at(0.25);
   TestDesign design{.shots = static_cast<int>(data.seen->shots.size()),
                     .gap_threshold = data.around->threshold(rules.false_gap_level, seed)};
-  constexpr double own_share = 0.5;
-  continue_at(0.1);
+  design.warnings = warnings_of(data);
+  if (fem) design.left_out = without_form_in_fem(data.around->effects());
+  const PredictedDiagnosis predicted(data, rules, seed);
+  const RefittedChange refitted(data);
+  design.nothing_hidden.gap = predicted.with_nothing().gap;
+  constexpr double own_share = 0.6;
   const std::vector<std::string> names = with_a_size(*data.around);
   design.effects.resize(names.size());
   in_parallel(names.size(), [&](std::size_t i) {
     if (control.interrupted && control.interrupted()) return;
     design.effects[i] =
-        findable(*data.around, names[i], design.gap_threshold, rules.close_criterion);
+        findable(data, refitted, predicted, names[i], design.gap_threshold, rules.close_criterion);
   });
   continue_at(own_share);
-  const std::map<std::string, double> before = size_errors(*data.around);
+  const auto errors_of = [&](const SynthesisFile& file) {
+    const PlannedData other = fem ? fem->changed(file) : planned_data(file);
+    return size_errors(*other.around);
+  };
+  const std::map<std::string, double> before = fem ? errors_of(plan) : size_errors(*data.around);
   const std::vector<ChangedPlan> changed = changed_plans(plan);
   for (std::size_t i = 0; i < changed.size(); ++i) {
-    const PlannedData other = planned_data(changed[i].plan);
-    design.changes.push_back(compare(changed[i].what, before, size_errors(*other.around)));
+    design.changes.push_back(compare(changed[i].what, before, errors_of(changed[i].plan)));
     continue_at(own_share + (1.0 - own_share) * static_cast<double>(i + 1) /
                                 static_cast<double>(changed.size()));
   }

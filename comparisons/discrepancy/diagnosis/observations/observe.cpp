@@ -82,6 +82,7 @@ std::size_t ball_of(const Dataset& dataset, Observations& seen) {
 void add_shot(const Dataset& dataset, const MeasuredImpact& measured, std::size_t ball,
               Observations& seen) {
   MeasuredImpact shot = completed(dataset, measured);
+  if (!shot.has_history()) shot.deflection_noise = {};  // that of a record
   shot.label = name_of_its_own(fmt::format("{}, {:g} m/s", dataset.name, measured.impact.speed),
                                "repeat", seen.shots, &MeasuredImpact::label);
   shot.ball = ball;
