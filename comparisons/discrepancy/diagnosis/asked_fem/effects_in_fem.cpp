@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -21,6 +22,19 @@ std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present
     const Effect& effect = find_effect(name);
     return !effect.to_fem || is_measurement(name) || effect.card.is_free_form ||
            effect.card.is_switch || effect.card.oscillator || effect.card.oscillator_pair;
+  });
+  return names;
+}
+
+/// Curves over strain and over unloading, and a spectrum of times: where no formula explains the
+/// data, a family may.
+std::vector<std::string> free_forms_of_fem(const std::vector<EffectChoice>& present) {
+  std::vector<std::string> names = free_forms(present, false);
+  const std::vector<std::string> later = free_forms(present, true);
+  names.insert(names.end(), later.begin(), later.end());
+  std::erase_if(names, [](const std::string& name) {
+    const Effect& effect = find_effect(name);
+    return !effect.to_fem || effect.card.oscillator_pair;
   });
   return names;
 }
@@ -99,6 +113,28 @@ bool is_worth_asking(const Diagnosis& d, const FemOfAllBalls& without) {
          surface_leads(d.selection);
 }
 
+/// Each of these effects by itself, from the nearest of its starts.
+void fit_beside(Diagnosis& d, const std::vector<std::vector<EffectChoice>>& starts,
+                const FemOfBalls& balls, const FemOfAllBalls& without, const SelectionRules& rules,
+                const RunControl& control) {
+  std::vector<EffectChoice> nearest;
+  for (const std::vector<EffectChoice>& of_one : starts)
+    nearest.push_back(nearest_start(of_one, balls, without, control));
+  const auto fits = fit_each<FemOfAllBalls>(nearest.size(), control,
+                                            [&](std::size_t k) { return balls.fit({nearest[k]}); });
+  for (const auto& with : fits)
+    if (with && with->chi_square < without.chi_square)
+      d.in_fem.push_back(with_verdicts(compare_tiers(d, balls, without, *with, 0), without, rules));
+  std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
+    return a.information_criterion < b.information_criterion;
+  });
+}
+
+bool is_any_supported(const Diagnosis& d) {
+  return std::any_of(d.in_fem.begin(), d.in_fem.end(),
+                     [](const EffectInFem& one) { return one.fem == "supported"; });
+}
+
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
   d.warnings.push_back(fmt::format(
       "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
@@ -144,21 +180,17 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
       Gap{.before = without.reduced_chi_square(), .held_out_before = unseen};
   if (!is_worth_asking(d, without)) return;
   if (is_the_noise(without, unseen)) return let_fem_stand(d, without, unseen);
-  const double contact_time =
-      d.selection.baseline.fit.model->impact(d.selection.baseline.fit.values, 0)
-          .scalars.contact_time;
-  std::vector<EffectChoice> starts;
-  for (const std::string& name : effects_of_fem(d.selection.baseline.fit.effects))
-    starts.push_back(
-        nearest_start(starts_of(find_effect(name).card, contact_time), balls, without, control));
-  const auto fits = fit_each<FemOfAllBalls>(starts.size(), control,
-                                            [&](std::size_t k) { return balls.fit({starts[k]}); });
-  for (const auto& with : fits)
-    if (with && with->chi_square < without.chi_square)
-      d.in_fem.push_back(with_verdicts(compare_tiers(d, balls, without, *with, 0), without, rules));
-  std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
-    return a.information_criterion < b.information_criterion;
-  });
+  const HypothesisFit& lumped = d.selection.baseline.fit;
+  const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
+  std::vector<std::vector<EffectChoice>> named, free;
+  for (const std::string& name : effects_of_fem(lumped.effects))
+    named.push_back(starts_of(find_effect(name).card, contact_time));
+  for (const std::string& name : free_forms_of_fem(lumped.effects))
+    free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
+  for (const auto& starts : {named, free}) {
+    fit_beside(d, starts, balls, without, rules, control);
+    if (is_any_supported(d)) break;
+  }
   conclude_from_fem(d, rules);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;

@@ -38,14 +38,30 @@ FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all, const RunCon
       unseen_(d.model_discrepancy ? *d.unseen
                                   : with_numerical_uncertainty(*d.unseen, *d.fem_alone)) {}
 
+namespace {
+
+/// Factors of strain have a form only where every branch relaxes all of the stress: beside them the
+/// ball is of that kind.
+FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects) {
+  FemProblem problem;
+  apply_effects(effects, problem);
+  if (problem.material.strain != StrainDependence{})
+    for (PronyBranch& branch : ball.material.branches) branch.relaxes = Relaxes::all;
+  ball.effects = effects;
+  return ball;
+}
+
+}  // namespace
+
 FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
   FemOfAllBalls whole{.balls = d_.fem_alone->balls};
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
     FittedFem& own = whole.balls[ball];
-    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem,
-                        effects_of_ball(effects, ball), &own, control_);
+    const FittedFem near = with_effects(own, effects_of_ball(effects, ball));
+    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem, near.effects,
+                        &near, control_);
     whole.chi_square += own.chi_square;
     whole.samples += own.samples;
     whole.effect_unknowns += own.effect_unknowns;
@@ -59,8 +75,7 @@ double FemOfBalls::chi_square_with(const std::vector<EffectChoice>& effects,
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
-    FittedFem with = near.balls[ball];
-    with.effects = effects_of_ball(effects, ball);
+    const FittedFem with = with_effects(near.balls[ball], effects_of_ball(effects, ball));
     chi_square += chi_square_of(seen_, shots, *d_.fem_alone->fem, with, control_);
   }
   return chi_square;

@@ -13,8 +13,11 @@
 namespace rebound {
 namespace {
 
-constexpr double difference_step = 0.01;  // of a logarithm: above FE's step noise
-constexpr double cost_tolerance = 3e-4;   // what nodes that touch one by one leave of the cost
+constexpr double difference_step = 0.03;  // of a logarithm: above FE's step noise
+/// Of an effect's numbers that are no logarithms: a hundredth of their scale changes a force by
+/// less than its ripple.
+constexpr double longer_steps = 5.0;
+constexpr double cost_tolerance = 3e-4;  // what nodes that touch one by one leave of the cost
 
 std::vector<ModelledImpact> run_shots(const Observations& seen,
                                       const std::vector<std::size_t>& shots, const FemBelief& fem,
@@ -73,6 +76,8 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   of_material.add(calibration.parameters);
   const EffectUnknowns of_effects(effects, true, calibration.parameters);
   const auto physics = static_cast<std::ptrdiff_t>(calibration.parameters.size());
+  for (std::size_t k = of_material.count(); k < calibration.parameters.size(); ++k)
+    if (calibration.parameters[k].scale < 1.0) calibration.parameters[k].scale *= longer_steps;
   // A start or a scale moves no impact.
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
   const auto impacts_at = [&](const std::vector<double>& x) -> const std::vector<ModelledImpact>& {

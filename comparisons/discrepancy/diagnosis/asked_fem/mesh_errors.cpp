@@ -10,25 +10,29 @@
 namespace rebound {
 namespace {
 
-/// 1/(2^p - 1) of order p = 3/2.
-constexpr double missing_beyond = 0.547;
+/// Of what so many halvings of the edge change, what counts as missing yet.
+double missing_beyond(int halvings) {
+  return halvings > 1 ? 0.3 : 0.547;
+}
 
 void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,
-                  const FemBelief& coarse, const FemBelief& fine, MeshErrors& errors) {
+                  const TwoMeshes& meshes, MeshErrors& errors) {
+  const double missing = missing_beyond(meshes.halvings);
   std::vector<ModelledImpact> before(impacts.size()), after(impacts.size());
   in_parallel(impacts.size(), [&](std::size_t i) {
-    before[i] = coarse.run(ball, impacts[i], fitted.material, fitted.effects);
-    after[i] = fine.run(ball, impacts[i], fitted.material, fitted.effects);
+    before[i] = meshes.coarse.run(ball, impacts[i], fitted.material, fitted.effects);
+    after[i] = meshes.fine.run(ball, impacts[i], fitted.material, fitted.effects);
   });
   for (std::size_t i = 0; i < impacts.size(); ++i) {
     errors.of_history =
-        std::max(errors.of_history, missing_beyond * history_difference(before[i], after[i]));
+        std::max(errors.of_history, missing * history_difference(before[i], after[i]));
     const ScalarShares added = shares_added(before[i].scalars, after[i].scalars);
     for (std::size_t k = 0; k < added.size(); ++k)
-      errors.of_scalars[k] = std::max(errors.of_scalars[k], missing_beyond * std::abs(added[k]));
+      errors.of_scalars[k] = std::max(errors.of_scalars[k], missing * std::abs(added[k]));
     errors.known.push_back({.ball = ball,
                             .speed = impacts[i].speed,
-                            .finer = difference_between(before[i], after[i]),
+                            .finer = finer_differences(meshes.coarse, meshes.fine, ball, impacts[i],
+                                                       fitted.material, fitted.effects),
                             .faster = {},
                             .reach = 0.0});
   }
@@ -44,11 +48,10 @@ ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& secon
 }
 
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,
-                          const FemBelief& coarse, const FemBelief& fine) {
+                          const TwoMeshes& meshes) {
   MeshErrors errors;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball)
-    if (is_hit(all, ball))
-      compare_ball(ball, impacts_of(all, ball), balls[ball], coarse, fine, errors);
+    if (is_hit(all, ball)) compare_ball(ball, impacts_of(all, ball), balls[ball], meshes, errors);
   return errors;
 }
 

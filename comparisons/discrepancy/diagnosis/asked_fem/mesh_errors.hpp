@@ -18,10 +18,18 @@ using ScalarShares = std::array<double, scalar_quantities.size()>;
 /// What `second` has more of each scalar than `first`.
 ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& second);
 
-/// Two meshes of every ball, the second of half the edge, compared at every speed of the data.
+/// Two meshes of every ball.
+struct TwoMeshes {
+  FemBelief coarse, fine;
+  int halvings = 1;  ///< of the edge, from one to the other
+};
+
+/// Two meshes compared at every speed of the data.
 ///
-/// Of what half the edge changes 0.55 is missing yet, as order 3/2 leaves it, which is that of a
-/// contact whose edge moves over the mesh (`accuracy/numerical_error`).
+/// Of what one halving of the edge changes 0.55 is missing yet, 1/(2^(3/2) - 1): order 3/2 is that
+/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.3
+/// counts as missing: 1/(2^3 - 1), and as much again for a ball that is not the one they were run
+/// with.
 struct MeshErrors {
   std::vector<KnownDifferences> known;  ///< what the finer mesh adds, at these speeds alone
   double of_history = 0.0;              ///< rms over the contact, over the peak; the largest [-]
@@ -29,7 +37,7 @@ struct MeshErrors {
 };
 
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,
-                          const FemBelief& coarse, const FemBelief& fine);
+                          const TwoMeshes& meshes);
 
 /// Data whose noise, and whose scalars' uncertainty, holds these errors as well: `of_history` over
 /// the peak of each force history.

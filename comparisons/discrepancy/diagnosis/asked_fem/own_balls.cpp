@@ -123,12 +123,16 @@ std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near) const try {
 
 FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
   std::vector<FittedFem> kinds = {plain};
-  if (plain.chi_square <= static_cast<double>(plain.samples)) return plain;
-  const Material guess = guess_fem_material(seen_, shots_, lumped_);
-  for (Material& kind : other_kinds_near(plain.material, guess)) {
-    FittedFem start = plain;
+  const auto add = [&](const FittedFem& near, Material kind) {
+    FittedFem start = near;
     start.material = std::move(kind);
     if (auto other = fitted(start)) kinds.push_back(std::move(*other));
+  };
+  const Material guess = guess_fem_material(seen_, shots_, lumped_);
+  for (Material& kind : other_kinds_near(plain.material, guess)) add(plain, std::move(kind));
+  if (!plain.is_far()) {
+    const FittedFem best = least_of(kinds);
+    for (Material& law : other_laws_near(best.material)) add(best, std::move(law));
   }
   return of_other_times(least_of(kinds));
 }

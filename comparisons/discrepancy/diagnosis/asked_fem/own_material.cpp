@@ -1,4 +1,5 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
+#include "fem/interface/elastic_models.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,18 @@ Material guess_fem_material(const Observations& seen, const std::vector<std::siz
   material.branches = {
       {.ratio = first_ratio, .relaxation_time = times.front().first * scalars.contact_time}};
   return material;
+}
+
+std::vector<Material> other_laws_near(const Material& fitted) {
+  constexpr double second_share = 0.3, of_ogden = 3.0, of_hyperfoam = 4.0;
+  std::vector<Material> laws(3, fitted);
+  laws[0].elastic = ElasticModel::mooney_rivlin;
+  laws[0].second_share = second_share;
+  laws[1].elastic = ElasticModel::ogden;
+  laws[1].terms = {{.exponent = of_ogden, .beta = {}}};
+  laws[2].elastic = ElasticModel::hyperfoam;
+  laws[2].terms = {{.exponent = of_hyperfoam, .beta = {}}};
+  return laws;
 }
 
 std::vector<Material> other_kinds_near(const Material& fitted, const Material& guess) {

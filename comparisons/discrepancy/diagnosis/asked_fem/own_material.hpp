@@ -22,6 +22,10 @@ Material guess_fem_material(const Observations& seen, const std::vector<std::siz
 /// with a branch of the deviator alone.
 std::vector<Material> other_kinds_near(const Material& fitted, const Material& guess);
 
+/// The same ball of another elastic law: Mooney and Rivlin's with three tenths of its modulus in
+/// the second term, Ogden's of exponent 3, a hyperfoam of exponent 4. Neo-Hookean is Ogden's of 2.
+std::vector<Material> other_laws_near(const Material& fitted);
+
 /// How many numbers a search has for a material of this kind.
 inline std::size_t numbers_of(const Material& kind) {
   return 2 + 2 * kind.branches.size();

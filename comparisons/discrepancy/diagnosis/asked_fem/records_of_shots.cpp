@@ -11,7 +11,16 @@
 namespace rebound {
 namespace {
 
-constexpr double speed_exponent = 1.2;  // of the peak force (Hertz)
+/// Exponents of the speed in peak force and contact time (Hertz).
+constexpr double of_force = 1.2, of_time = -0.2;
+
+/// A change of speed within its uncertainty needs no impact of its own.
+ModelledImpact at_other_speed(ModelledImpact impact, double factor) {
+  const double force = std::pow(factor, of_force), time = std::pow(factor, of_time);
+  for (double& one : impact.trace.force) one *= force;
+  for (double& one : impact.trace.time) one *= time;
+  return impact;
+}
 
 double nearest_first_touch(const Observations& seen, std::size_t shot, const ModelledImpact& impact,
                            double near) {
@@ -21,11 +30,17 @@ double nearest_first_touch(const Observations& seen, std::size_t shot, const Mod
   std::vector<CalibrationParameter> unknowns;
   record.add_unknowns([&](std::size_t) { return near; }, unknowns);
   const std::vector<double>& time = seen.shots[shot].trace.time;
+  const auto at_touch = [&](double touch) {
+    std::vector<double> values;
+    for (const CalibrationParameter& one : unknowns)
+      values.push_back(one.unit == "s" ? touch : 0.0);
+    return values;
+  };
   const double half_a_sample = 0.5 * (time[1] - time[0]);
   double nearest = near, least = std::numeric_limits<double>::infinity();
   for (int k = -half_samples; k <= half_samples; ++k) {
     const double touch = near + k * half_a_sample;
-    const double left = half_square(record.residuals({0.0, touch}, {impact}));
+    const double left = half_square(record.residuals(at_touch(touch), {impact}));
     if (left < least) {
       least = left;
       nearest = touch;
@@ -36,17 +51,11 @@ double nearest_first_touch(const Observations& seen, std::size_t shot, const Mod
 
 }  // namespace
 
-double RecordsOfShots::scale_uncertainty(const MeasuredImpact& shot) const {
-  return std::hypot(seen_.gain_uncertainty,
-                    speed_exponent * shot.speed_uncertainty.value_or(0.0) / shot.impact.speed) +
-         1e-4;
-}
-
 void RecordsOfShots::add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
                                   std::vector<CalibrationParameter>& unknowns) {
   for (const std::size_t i : shots_) {
     const MeasuredImpact& shot = seen_.shots[i];
-    const double deviation = scale_uncertainty(shot);
+    const double deviation = seen_.gain_uncertainty + 1e-4;
     nuisances_.add(find_nuisance("gain"),
                    {.name = "scale, " + shot.label,
                     .unit = "1",
@@ -56,6 +65,17 @@ void RecordsOfShots::add_unknowns(const std::function<double(std::size_t shot)>&
                     .scale = deviation,
                     .prior = Prior{0.0, deviation}},
                    {i}, unknowns);
+    if (const double of_speed = shot.speed_uncertainty.value_or(0.0) / shot.impact.speed;
+        of_speed > 0.0)
+      nuisances_.add(find_nuisance("speed"),
+                     {.name = "speed, " + shot.label,
+                      .unit = "1",
+                      .start = 0.0,
+                      .lowest = -0.2,
+                      .highest = 0.2,
+                      .scale = of_speed,
+                      .prior = Prior{0.0, of_speed}},
+                     {i}, unknowns);
     const double first = shot.trace.time.front(), last = shot.trace.time.back();
     nuisances_.add(find_nuisance("trigger"),
                    {.name = "start, " + shot.label,
@@ -76,8 +96,9 @@ std::vector<double> RecordsOfShots::residuals(const std::vector<double>& values,
     MeasurementChain chain = stated_chain(shot);
     nuisances_.apply(values, shots_[k], chain);
     const auto& time = shot.trace.time;
+    const ModelledImpact impact = at_other_speed(impacts[k], 1.0 / (1.0 + chain.speed_error));
     const auto r =
-        whitened(shot, reported_force(contact_and_after(impacts[k], chain, time), chain, time));
+        whitened(shot, reported_force(contact_and_after(impact, chain, time), chain, time));
     residuals.insert(residuals.end(), r.begin(), r.end());
     if (const Measured& measured = shot.restitution; measured.has_error())
       residuals.push_back((impacts[k].scalars.restitution - *measured.value) /

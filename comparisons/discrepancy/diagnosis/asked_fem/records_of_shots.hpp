@@ -15,9 +15,9 @@ namespace rebound {
 /// physics. Noise that wanders as slowly as a contact lasts hides in the force what a ball loses;
 /// the restitution says it.
 ///
-///   unknowns   of every shot a scale, within what gain and speed leave open, and a start [s]
+///   unknowns   of every shot a scale and a speed, within what is stated of them, and a start [s]
 ///
-/// Caution: an error of the speed is taken as one of the force's scale alone, F ~ v^1.2.
+/// Caution: an error of the speed moves force and time as Hertz has it, F ~ v^1.2, T ~ v^-0.2.
 class RecordsOfShots {
  public:
   /// Observations and shots must outlive it.
@@ -34,8 +34,6 @@ class RecordsOfShots {
                                 const std::vector<ModelledImpact>& impacts) const;
 
  private:
-  double scale_uncertainty(const MeasuredImpact& shot) const;
-
   const Observations& seen_;
   const std::vector<std::size_t>& shots_;
   NuisanceUnknowns nuisances_;

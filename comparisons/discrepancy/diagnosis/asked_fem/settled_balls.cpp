@@ -15,6 +15,16 @@ std::vector<Material> materials_of(const std::vector<FittedFem>& balls) {
   return materials;
 }
 
+/// Cells of the search, and those that correct it: of a mesh from a file, which may be fine itself,
+/// half its edge.
+TwoMeshes two_meshes(const FemProblem& problem, const Observations& all,
+                     const std::vector<Material>& materials, const RunControl& control) {
+  const int halvings = problem.mesh_file.empty() ? 2 : 1;
+  return {.coarse = FemBelief(problem, all, materials, search_cells, control),
+          .fine = FemBelief(problem, all, materials, search_cells, control, halvings),
+          .halvings = halvings};
+}
+
 /// Is it made of the same kind of material, and on the same kind of plate?
 bool is_of_one_kind(const FittedFem& a, const FittedFem& b) {
   const auto &first = a.material.branches, &second = b.material.branches;
@@ -23,20 +33,26 @@ bool is_of_one_kind(const FittedFem& a, const FittedFem& b) {
                     [](const auto& x, const auto& y) { return x.relaxes == y.relaxes; });
 }
 
+bool all_follow(const std::vector<FittedFem>& balls) {
+  return std::all_of(balls.begin(), balls.end(), [](const FittedFem& ball) {
+    return ball.samples == 0 || ball.follows() || ball.is_far();
+  });
+}
+
 }  // namespace
 
 SettledBalls settle_balls(const Observations& all, const Observations& seen,
                           const HypothesisFit& lumped, const FemProblem& problem,
                           const std::vector<EffectChoice>& plates, const RunControl& control) {
   const auto rough = fit_rough_balls(all, seen, lumped, problem, control);
-  constexpr int one_halving = 1;
-  const FemBelief coarse(problem, all, materials_of(rough), search_cells, control);
-  const FemBelief fine(problem, all, materials_of(rough), search_cells, control, one_halving);
-  SettledBalls settled{
-      .balls = rough, .errors = {}, .cells = {coarse.cells(), fine.cells()}, .fem = nullptr};
+  const TwoMeshes meshes = two_meshes(problem, all, materials_of(rough), control);
+  SettledBalls settled{.balls = rough,
+                       .errors = {},
+                       .cells = {meshes.coarse.cells(), meshes.fine.cells()},
+                       .fem = nullptr};
   const auto fit_all = [&](const auto& fitted_ball) {
-    settled.errors = compare_meshes(all, settled.balls, coarse, fine);
-    settled.fem = std::make_shared<const FemBelief>(coarse.with(settled.errors.known));
+    settled.errors = compare_meshes(all, settled.balls, meshes);
+    settled.fem = std::make_shared<const FemBelief>(meshes.coarse.with(settled.errors.known));
     const Observations with_errors =
         with_errors_of_mesh(seen, settled.errors.of_history, settled.errors.of_scalars);
     for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
@@ -50,8 +66,13 @@ SettledBalls settle_balls(const Observations& all, const Observations& seen,
     const FittedFem plain = own.again(near), rigid = own.of_best_kind(plain);
     return rigid.follows() ? rigid : own.on_best_plate(plain, rigid, plates);
   });
-  if (!std::equal(rough.begin(), rough.end(), settled.balls.begin(), is_of_one_kind))
+  // What the finer mesh adds is known for the ball that it was run with.
+  constexpr int most_rounds = 3;
+  bool is_another = !std::equal(rough.begin(), rough.end(), settled.balls.begin(), is_of_one_kind);
+  for (int round = 0; round < most_rounds && (is_another || !all_follow(settled.balls)); ++round) {
     fit_all([](const OwnBallFit& own, const FittedFem& near) { return own.again(near); });
+    is_another = false;
+  }
   return settled;
 }
 

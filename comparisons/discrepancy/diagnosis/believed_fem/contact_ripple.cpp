@@ -1,6 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/believed_fem/contact_ripple.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,17 +14,18 @@ constexpr Eigen::Index narrower = 3;  // times, at its ends, where the force sta
 Eigen::VectorXd weights_of(Eigen::Index before, Eigen::Index after) {
   Eigen::MatrixXd powers(before + after + 1, 3);
   for (Eigen::Index i = 0; i < powers.rows(); ++i) {
-    const auto x = static_cast<double>(i - before);
+    const double x = static_cast<double>(i - before) / static_cast<double>(before + after);
     powers.row(i) << 1.0, x, x * x;
   }
-  const Eigen::MatrixXd inverse = powers.completeOrthogonalDecomposition().pseudoInverse();
-  return inverse.row(0).transpose();
+  const Eigen::Matrix3d normal = powers.transpose() * powers;
+  return powers * normal.inverse().col(0);
 }
 
 }  // namespace
 
-double ripple_width(int cells) {
-  constexpr double width = 0.06, of_cells = 300.0;
+double ripple_width(int cells, ForceShape shape) {
+  constexpr double of_cells = 300.0;
+  const double width = shape == ForceShape::smooth ? 0.15 : 0.06;
   return width * std::sqrt(of_cells / std::max(cells, 1));
 }
 

@@ -6,14 +6,25 @@
 
 #include "comparisons/discrepancy/diagnosis/observations/numerical_error.hpp"
 #include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 
 namespace rebound {
 namespace {
 
 /// By how much material numbers are moved to see what a correction is worth beside its own impact.
 constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
-/// Of what a mesh of half the edge changes, what one of no edge would change yet: second order.
-constexpr double still_missing = 1.0 / 3.0;
+/// Of what so many halvings of the edge change, what one of no edge would change yet: order 3/2.
+double still_missing(int halvings) {
+  return 1.0 / (std::pow(2.0, 1.5 * halvings) - 1.0);
+}
+
+/// From the cells of a search to those that correct it: a mesh from a file may be fine itself, and
+/// scalars have no ripple.
+int halvings_for(const FemProblem& problem, const Observations& all) {
+  const bool histories = std::any_of(all.shots.begin(), all.shots.end(),
+                                     [](const MeasuredImpact& shot) { return shot.has_history(); });
+  return problem.mesh_file.empty() && histories ? 2 : 1;
+}
 
 Material moved(Material material) {
   material.youngs_modulus *= moved_modulus;
@@ -38,13 +49,17 @@ struct ComparedImpact {
 
 class MeshComparison {
  public:
-  MeshComparison(const HypothesisFit& fit, const FemBelief& fine) : fit_(fit), fine_(fine) {}
+  MeshComparison(const HypothesisFit& fit, const FemBelief& fine, int halvings)
+      : fit_(fit), fine_(fine), missing_(still_missing(halvings)) {}
 
-  void compare(const Observations& seen) {
-    for (const MeasuredImpact& shot : seen.shots) {
-      const auto [place, added] = impacts_.try_emplace({shot.ball, shot.impact.speed});
-      if (added) place->second = compared(shot);
-    }
+  void compare(const std::vector<const Observations*>& parts) {
+    std::vector<std::pair<const MeasuredImpact*, ComparedImpact*>> anew;
+    for (const Observations* part : parts)
+      for (const MeasuredImpact& shot : part->shots) {
+        const auto [place, added] = impacts_.try_emplace({shot.ball, shot.impact.speed});
+        if (added) anew.emplace_back(&shot, &place->second);
+      }
+    in_parallel(anew.size(), [&](std::size_t i) { *anew[i].second = compared(*anew[i].first); });
   }
   std::vector<KnownDifferences> known() const {
     std::vector<KnownDifferences> all;
@@ -60,9 +75,9 @@ class MeshComparison {
                             impact.history_error * *std::max_element(force.begin(), force.end()));
       for (const ScalarQuantity& scalar : scalar_quantities)
         if (Measured& one = shot.*scalar.measured; one.has_error())
-          one.uncertainty = std::hypot(*one.uncertainty,
-                                       still_missing * (impact.fine.scalars.*scalar.modelled -
-                                                        impact.coarse.scalars.*scalar.modelled));
+          one.uncertainty =
+              std::hypot(*one.uncertainty, missing_ * (impact.fine.scalars.*scalar.modelled -
+                                                       impact.coarse.scalars.*scalar.modelled));
     }
     return seen;
   }
@@ -80,25 +95,27 @@ class MeshComparison {
     ComparedImpact impact;
     impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
-    impact.known = {.ball = shot.ball,
-                    .speed = shot.impact.speed,
-                    .finer = difference_between(impact.coarse, impact.fine),
-                    .faster = {}};
+    impact.known = {
+        .ball = shot.ball,
+        .speed = shot.impact.speed,
+        .finer = finer_differences(coarse, fine_, shot.ball, shot.impact, material, effects),
+        .faster = {}};
     reach_speeds_of(shot, impact.known);
     Impact above = shot.impact;
     above.speed *= 1.0 + impact.known.step;
     impact.known.faster =
         difference_between(impact.fine, fine_.run(shot.ball, above, material, effects));
     ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
-    impact.known.finer.apply(elsewhere);
+    impact.known.finer_of(FemBelief::shape_of(effects)).apply(elsewhere);
     impact.history_error = std::hypot(
-        still_missing * history_difference(impact.coarse, impact.fine),
+        missing_ * history_difference(impact.coarse, impact.fine),
         history_difference(elsewhere, fine_.run(shot.ball, shot.impact, moved(material), effects)));
     return impact;
   }
 
   const HypothesisFit& fit_;
   const FemBelief& fine_;
+  double missing_;
   std::map<std::pair<std::size_t, double>, ComparedImpact> impacts_;
 };
 
@@ -130,12 +147,11 @@ SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
   const int cells = fitted.cells;
   fitted.material = materials.front();
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
-  constexpr int one_halving = 1;
-  const FemBelief fine(fitted, all, materials, cells, control, one_halving);
+  const int halvings = halvings_for(fitted, all);
+  const FemBelief fine(fitted, all, materials, cells, control, halvings);
   const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = near.effects}, control);
-  MeshComparison comparison(fit, fine);
-  comparison.compare(seen);
-  comparison.compare(unseen);
+  MeshComparison comparison(fit, fine, halvings);
+  comparison.compare({&seen, &unseen});
   const auto corrected = std::make_shared<const FemBelief>(
       cut->with(materials_of(fit, 1).front()).with(comparison.known()));
   return {.hypothesis = {.fem = corrected, .effects = fit.effects},

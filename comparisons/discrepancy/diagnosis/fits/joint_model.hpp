@@ -2,12 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/common_error.hpp"
 #include "comparisons/inference/calibration/effect_unknowns.hpp"
 #include "comparisons/inference/calibration/law_factors.hpp"
 #include "comparisons/inference/calibration/material_factors.hpp"
@@ -187,6 +189,7 @@ class JointModel {
   EffectUnknowns effects_;
   NuisanceUnknowns nuisances_;
   std::vector<DataRow> rows_;
+  std::optional<CommonError> common_error_;
   /// ln of the slow over the impact stiffness, of each compression that takes part.
   std::map<std::size_t, std::size_t> slow_factors_;
   std::map<std::size_t, std::size_t> starts_;  ///< unknown of each shot with a history

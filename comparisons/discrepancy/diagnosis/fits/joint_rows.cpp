@@ -74,8 +74,10 @@ std::vector<double> JointModel::slow_block_at(const std::vector<double>& values,
 }
 
 void JointModel::add_rows() {
+  std::vector<std::size_t> force_rows;
   for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
     const MeasuredImpact& shot = seen_.shots[i];
+    force_rows.push_back(rows_.size());
     for (const double time : shot.trace.time) rows_.push_back({i, ObservedQuantity::force, time});
     if (shot.deflection_noise.deviation > 0.0) {
       const SampleRange range = deflection_range(shot.trace);
@@ -85,6 +87,7 @@ void JointModel::add_rows() {
     for (const ScalarQuantity& scalar : scalar_quantities)
       if ((shot.*scalar.measured).has_error()) rows_.push_back({i, scalar.what, 0.0});
   }
+  common_error_.emplace(seen_, force_rows, rows_.size());
 }
 
 MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
@@ -197,6 +200,7 @@ std::vector<double> JointModel::data_residuals(const std::vector<double>& values
     const std::vector<double>& block = block_of(values, i);
     residuals.insert(residuals.end(), block.begin(), block.end());
   }
+  common_error_->take_out(residuals);
   for (const auto& [test, unknown] : slow_factors_) {
     const std::vector<double> block = slow_block_at(values, test);
     residuals.insert(residuals.end(), block.begin(), block.end());

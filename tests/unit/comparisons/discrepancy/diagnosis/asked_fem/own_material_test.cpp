@@ -88,5 +88,23 @@ TEST(OwnMaterial, ASlowerBranchSharesWhatTheFirstHasFound) {
   EXPECT_EQ(kinds[1].branches[0].ratio, fitted.branches[0].ratio);
 }
 
+/// Laws differ in no number that a search has: what tells them apart is how near they come.
+TEST(OwnMaterial, OtherLawsHaveTheSameNumbers) {
+  Material fitted = guess();
+  fitted.branches.front().ratio = 0.8;
+  const std::vector<Material> laws = other_laws_near(fitted);
+  ASSERT_EQ(laws.size(), 3u);
+  for (const Material& law : laws) {
+    EXPECT_NE(law.elastic, fitted.elastic);
+    EXPECT_EQ(numbers_of(law), numbers_of(fitted));
+    EXPECT_EQ(law.branches, fitted.branches);
+    const MaterialUnknowns numbers(guess(), law);
+    const Material found = numbers.at(starts_of(numbers));
+    EXPECT_EQ(found.elastic, law.elastic);
+    EXPECT_EQ(found.terms, law.terms);
+    EXPECT_EQ(found.second_share, law.second_share);
+  }
+}
+
 }  // namespace
 }  // namespace rebound

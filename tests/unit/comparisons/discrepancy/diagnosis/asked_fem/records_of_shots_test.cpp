@@ -56,6 +56,38 @@ TEST(RecordsOfShotsTest, ARestitutionIsOneMoreResidual) {
   EXPECT_EQ(push_residuals(seen, 0.75).size(), without.size()) << "what has no error says nothing";
 }
 
+/// A shot that was faster than stated is stronger and shorter, as Hertz has it.
+TEST(RecordsOfShotsTest, ASpeedWithinItsErrorIsAnUnknown) {
+  constexpr double faster = 0.02;
+  Observations seen;
+  seen.shots = {half_sine_push()};
+  MeasuredImpact& shot = seen.shots.front();
+  const ModelledImpact as_stated = modelled_push(shot, 0.75);
+  shot.speed_uncertainty = 0.1;
+  const double force = std::pow(1.0 + faster, 1.2), time = std::pow(1.0 + faster, -0.2);
+  for (std::size_t i = 0; i < shot.trace.time.size(); ++i) {
+    const double phase = shot.trace.time[i] / (time * push_time);
+    shot.trace.force[i] = phase < 1.0 ? force * push * std::sin(std::numbers::pi * phase) : 0.0;
+  }
+  const std::vector<std::size_t> shots{0};
+  RecordsOfShots records(seen, shots);
+  std::vector<CalibrationParameter> unknowns;
+  records.add_unknowns([](std::size_t) { return 0.0; }, unknowns);
+  ASSERT_EQ(unknowns.size(), 3u);
+  ASSERT_TRUE(unknowns[1].prior);
+  EXPECT_NEAR(unknowns[1].prior->deviation, 0.01, 1e-12);
+  std::vector<double> values(3, 0.0);
+  const auto largest = [&] {
+    double most = 0.0;
+    for (const double r : records.residuals(values, {as_stated}))
+      most = std::max(most, std::abs(r));
+    return most;
+  };
+  EXPECT_GT(largest(), 1.0);
+  values[1] = 1.0 / (1.0 + faster) - 1.0;  // stated over true, less one
+  EXPECT_LT(largest(), 0.1);
+}
+
 /// Errors of a mesh are independent of those of the data: their squares add.
 TEST(MeshErrorsTest, AddToThoseOfTheData) {
   Observations seen;
