@@ -13,7 +13,7 @@
 namespace rebound {
 namespace {
 
-constexpr double difference_step = 0.03;  // of a logarithm: above FE's step noise
+constexpr double difference_step = 0.01;  // of a logarithm: above FE's step noise
 /// Of an effect's numbers that are no logarithms: a hundredth of their scale changes a force by
 /// less than its ripple.
 constexpr double longer_steps = 5.0;

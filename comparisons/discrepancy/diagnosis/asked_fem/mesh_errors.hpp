@@ -27,9 +27,9 @@ struct TwoMeshes {
 /// Two meshes compared at every speed of the data.
 ///
 /// Of what one halving of the edge changes 0.55 is missing yet, 1/(2^(3/2) - 1): order 3/2 is that
-/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.3
-/// counts as missing: 1/(2^3 - 1), and as much again for a ball that is not the one they were run
-/// with.
+/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.6
+/// counts as missing, where order 3/2 leaves 0.14: what they change is known for one ball, and a
+/// search moves on to others.
 struct MeshErrors {
   std::vector<KnownDifferences> known;  ///< what the finer mesh adds, at these speeds alone
   double of_history = 0.0;              ///< rms over the contact, over the peak; the largest [-]

@@ -13,9 +13,10 @@ namespace {
 
 /// By how much material numbers are moved to see what a correction is worth beside its own impact.
 constexpr double moved_modulus = 1.05, moved_ratio = 1.1;
-/// Of what so many halvings of the edge change, what one of no edge would change yet: order 3/2.
+/// Of what so many halvings of the edge change, what one of no edge would change yet: by order 3/2
+/// of two, which histories have, by second order of one, which scalars have.
 double still_missing(int halvings) {
-  return 1.0 / (std::pow(2.0, 1.5 * halvings) - 1.0);
+  return halvings > 1 ? 1.0 / 7.0 : 1.0 / 3.0;
 }
 
 /// From the cells of a search to those that correct it: a mesh from a file may be fine itself, and
@@ -49,8 +50,13 @@ struct ComparedImpact {
 
 class MeshComparison {
  public:
-  MeshComparison(const HypothesisFit& fit, const FemBelief& fine, int halvings)
-      : fit_(fit), fine_(fine), missing_(still_missing(halvings)) {}
+  MeshComparison(const FemBelief& coarse, const FemBelief& fine, int halvings,
+                 std::vector<Material> materials, std::vector<EffectChoice> effects)
+      : coarse_(coarse),
+        fine_(fine),
+        missing_(still_missing(halvings)),
+        materials_(std::move(materials)),
+        effects_(std::move(effects)) {}
 
   void compare(const std::vector<const Observations*>& parts) {
     std::vector<std::pair<const MeasuredImpact*, ComparedImpact*>> anew;
@@ -89,9 +95,9 @@ class MeshComparison {
 
  private:
   ComparedImpact compared(const MeasuredImpact& shot) const {
-    const FemBelief& coarse = *fit_.model->fem();
-    const Material material = fit_.model->material_at(fit_.values, shot.ball);
-    const auto effects = physical_effects(fit_.effects);
+    const FemBelief& coarse = coarse_;
+    const Material& material = materials_[shot.ball];
+    const auto effects = effects_of_ball(effects_, shot.ball);
     ComparedImpact impact;
     impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
@@ -113,9 +119,11 @@ class MeshComparison {
     return impact;
   }
 
-  const HypothesisFit& fit_;
+  const FemBelief& coarse_;
   const FemBelief& fine_;
   double missing_;
+  std::vector<Material> materials_;
+  std::vector<EffectChoice> effects_;
   std::map<std::pair<std::size_t, double>, ComparedImpact> impacts_;
 };
 
@@ -124,6 +132,28 @@ std::vector<Material> materials_of(const HypothesisFit& fit, std::size_t balls) 
   for (std::size_t ball = 0; ball < balls; ++ball)
     materials.push_back(fit.model->material_at(fit.values, ball));
   return materials;
+}
+
+/// Ratio times time of all branches: what fast ones act by.
+double viscosity_of(const Material& material) {
+  double sum = 0.0;
+  for (const PronyBranch& branch : material.branches) sum += branch.ratio * branch.relaxation_time;
+  return sum;
+}
+
+/// Is a material farther from the one that meshes were compared for than they were moved?
+bool is_farther(const Material& fitted, const Material& compared) {
+  const auto moved_by = [](double a, double b, double most) {
+    return a != b && std::abs(std::log(a / b)) > std::log(most);
+  };
+  return moved_by(fitted.youngs_modulus, compared.youngs_modulus, moved_modulus) ||
+         moved_by(viscosity_of(fitted), viscosity_of(compared), moved_ratio);
+}
+
+bool are_farther(const std::vector<Material>& fitted, const std::vector<Material>& compared) {
+  for (std::size_t ball = 0; ball < fitted.size(); ++ball)
+    if (is_farther(fitted[ball], compared[ball])) return true;
+  return false;
 }
 
 }  // namespace
@@ -149,17 +179,27 @@ SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
   const int halvings = halvings_for(fitted, all);
   const FemBelief fine(fitted, all, materials, cells, control, halvings);
+  const auto settled_at = [&](const HypothesisFit& fit) -> SettledFem {
+    const std::vector<Material> fitted_to = materials_of(fit, all.balls.size());
+    MeshComparison comparison(*cut, fine, halvings, fitted_to, physical_effects(fit.effects));
+    comparison.compare({&seen, &unseen});
+    const auto corrected =
+        std::make_shared<const FemBelief>(cut->with(fitted_to.front()).with(comparison.known()));
+    return {.hypothesis = {.fem = corrected, .effects = fit.effects},
+            .seen = comparison.with_errors(seen),
+            .unseen = comparison.with_errors(unseen),
+            .numerical_uncertainty = comparison.largest(),
+            .cells = cut->cells(),
+            .finer_cells = fine.cells()};
+  };
   const HypothesisFit fit = fit_hypothesis(seen, {.fem = cut, .effects = near.effects}, control);
-  MeshComparison comparison(fit, fine, halvings);
-  comparison.compare({&seen, &unseen});
-  const auto corrected = std::make_shared<const FemBelief>(
-      cut->with(materials_of(fit, 1).front()).with(comparison.known()));
-  return {.hypothesis = {.fem = corrected, .effects = fit.effects},
-          .seen = comparison.with_errors(seen),
-          .unseen = comparison.with_errors(unseen),
-          .numerical_uncertainty = comparison.largest(),
-          .cells = cut->cells(),
-          .finer_cells = fine.cells()};
+  SettledFem settled = settled_at(fit);
+  if (halvings == 1) return settled;
+  // A fit to histories ends at another loss without a correction than with it.
+  const HypothesisFit again = fit_hypothesis(seen, settled.hypothesis, control);
+  return are_farther(materials_of(again, all.balls.size()), materials_of(fit, all.balls.size()))
+             ? settled_at(again)
+             : settled;
 }
 
 }  // namespace rebound

@@ -19,16 +19,19 @@ struct SettledFem {
 inline constexpr int search_cells = 300;
 
 /// Fits a believed FE model to what was seen, cuts the balls anew for that material, corrects every
-/// impact by what four times the cells add to it (CarriedDifference), and measures what is still
-/// wrong:
+/// impact by what sixteen times the cells add to it, or four times where there are scalars alone
+/// (CarriedDifference), and measures what is still wrong:
 ///
-///   ε² = (d/3)² + t²
+///   ε² = (m d)² + t²
 ///
-///   d   what the finer mesh changes; a third of it is left by second order
+///   d   what the finer mesh changes
+///   m   what is missing beyond it: 1/7 of two halvings by order 3/2, 1/3 of one by second order
 ///   t   what the correction misses for a material with 1.05 times the modulus and 1.1 times the
 ///   ratios
 ///
-/// Histories: rms of the force over the contact, white and shared by blocks. Scalars: d/3 of each.
+/// Histories: rms of the force over the contact, white, shared by blocks, and common to all shots.
+/// Scalars: m d of each. Where the corrected fit is farther than that from the material that meshes
+/// were compared for, they are compared again there.
 ///
 /// Errors: those of FemBelief and fit_believed(); Error(interrupted).
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,

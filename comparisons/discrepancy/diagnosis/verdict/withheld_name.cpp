@@ -57,7 +57,7 @@ bool is_no_gap_worth_having(const Diagnosis& d, const SelectionRules& rules, dou
 bool is_within_errors_of_fem(const Diagnosis& d, const SelectionRules& rules, double noise) {
   constexpr double settled = 0.01;  // of the peak force: FE that errs by more tells nothing apart
   // In χ²: of 137 balls of FE with nothing hidden the best single effect gained 55 at most.
-  constexpr double found_in_errors = 25.0;
+  constexpr double found_in_errors = 60.0;
   const double gained = d.selection.baseline.fit.chi_square - d.best().chi_square;
   return d.model_discrepancy != nullptr && d.model_discrepancy->numerical_uncertainty <= settled &&
          gained <= found_in_errors && d.believed.p_value > rules.smallest_adequate_p &&
