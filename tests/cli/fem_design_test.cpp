@@ -18,6 +18,7 @@ cells = 600
 elastic = "neo-hookean"
 youngs_modulus = "10 MPa"
 poisson_ratio = 0.4
+modulus = "long-term"
 [[model.material.branch]]
 ratio = 1.0
 relaxation_time = "0.1 ms"

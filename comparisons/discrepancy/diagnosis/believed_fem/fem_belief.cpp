@@ -21,9 +21,9 @@ constexpr std::size_t instants = 401;  // of a contact
 constexpr std::size_t most_impacts = 10'000;
 
 /// What instants are counted by: the time above 1 % of the peak force, and a tenth more. The last
-/// node leaves when it likes, and a trace ends on a sample: by those the instants of a history would
-/// jump by 0.4 % from one material to the next. A ball that sticks is followed to its end, and a
-/// plate that rings on.
+/// node leaves when it likes, and a trace ends on a sample: by those the instants of a history
+/// would jump by 0.4 % from one material to the next. A ball that sticks is followed to its end,
+/// and a plate that rings on.
 double span_of(const FemResult& result, const Plate& plate) {
   constexpr double beyond = 1.1;
   if (plate.moves()) return result.trace.time.back() - result.trace.time.front();
