@@ -70,6 +70,7 @@ EffectChoice middle_of(const std::vector<EffectChoice>& choices) {
   EffectChoice middle = choices.front();
   const EffectCard& card = find_effect(middle.name).card;
   std::vector<double> sizes;
+  sizes.reserve(choices.size());
   for (const EffectChoice& one : choices) sizes.push_back(one.size);
   middle.size = mean_of(sizes, has_logarithmic_size(card));
   for (const EffectParameterCard& parameter : card.parameters) {

@@ -31,8 +31,7 @@ void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const Fi
       errors.of_scalars[k] = std::max(errors.of_scalars[k], missing * std::abs(added[k]));
     errors.known.push_back({.ball = ball,
                             .speed = impacts[i].speed,
-                            .finer = finer_differences(meshes.coarse, meshes.fine, ball, impacts[i],
-                                                       fitted.material, fitted.effects),
+                            .finer = difference_between(before[i], after[i]),
                             .faster = {},
                             .reach = 0.0});
   }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/believed_fem/contact_ripple.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/modelled_impact.hpp"
 
 namespace rebound {
@@ -42,16 +40,12 @@ double history_difference(const ModelledImpact& a, const ModelledImpact& b);
 ///         -> test CarriedDifferenceTest.PowersOfTheSpeedAreMet.
 struct KnownDifferences {
   std::size_t ball = 0;
-  double speed = 0.0;  ///< [m/s]
-  /// What a finer mesh adds to forces of each ForceShape.
-  std::array<CarriedDifference, 2> finer;
+  double speed = 0.0;        ///< [m/s]
+  CarriedDifference finer;   ///< what a finer mesh adds
   CarriedDifference faster;  ///< what a speed higher by `step` adds
   double step = 0.01;        ///< of a speed
   double reach = 0.1;        ///< of a speed: farther, an impact is run by itself
 
-  const CarriedDifference& finer_of(ForceShape shape) const {
-    return finer[static_cast<std::size_t>(shape)];
-  }
   /// The impact at this speed becomes that at another.
   void carry_to(ModelledImpact& impact, double other_speed) const;
 };

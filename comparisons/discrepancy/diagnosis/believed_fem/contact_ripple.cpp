@@ -1,6 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/believed_fem/contact_ripple.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,18 +14,17 @@ constexpr Eigen::Index narrower = 3;  // times, at its ends, where the force sta
 Eigen::VectorXd weights_of(Eigen::Index before, Eigen::Index after) {
   Eigen::MatrixXd powers(before + after + 1, 3);
   for (Eigen::Index i = 0; i < powers.rows(); ++i) {
-    const double x = static_cast<double>(i - before) / static_cast<double>(before + after);
+    const auto x = static_cast<double>(i - before);
     powers.row(i) << 1.0, x, x * x;
   }
-  const Eigen::Matrix3d normal = powers.transpose() * powers;
-  return powers * normal.inverse().col(0);
+  const Eigen::MatrixXd inverse = powers.completeOrthogonalDecomposition().pseudoInverse();
+  return inverse.row(0).transpose();
 }
 
 }  // namespace
 
-double ripple_width(int cells, ForceShape shape) {
-  constexpr double of_cells = 300.0;
-  const double width = shape == ForceShape::smooth ? 0.15 : 0.06;
+double ripple_width(int cells) {
+  constexpr double width = 0.06, of_cells = 300.0;
   return width * std::sqrt(of_cells / std::max(cells, 1));
 }
 

@@ -176,22 +176,17 @@ ModelledImpact FemBelief::run_anew(std::size_t ball, const FemProblem& problem) 
   }
   if (!result.incomplete_because.empty())
     throw Error(ExitCode::solver_failed, result.incomplete_because);
-  return {.trace = at_equal_phases(result.trace, span_of(result, problem.plate)),
-          .scalars = result.scalars,
-          .plate = problem.plate};
-}
-
-ForceShape FemBelief::shape_of(const std::vector<EffectChoice>& effects) {
-  const bool sharp = std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
-    const EffectFamily family = find_effect(one.name).card.family;
-    return family == EffectFamily::history || family == EffectFamily::surface;
-  });
-  return sharp ? ForceShape::sharp : ForceShape::smooth;
+  ModelledImpact impact{.trace = at_equal_phases(result.trace, span_of(result, problem.plate)),
+                        .scalars = result.scalars,
+                        .plate = problem.plate};
+  if (!problem.plate.moves())
+    impact.trace.force = without_ripple(impact.trace.force, ripple_width(cells_));
+  return impact;
 }
 
 ModelledImpact FemBelief::run(std::size_t ball, const Impact& impact, const Material& material,
-                              const std::vector<EffectChoice>& effects, ForceShape shape) const {
-  if (!apart_.empty()) return apart_[ball]->run(0, impact, material, effects, shape);
+                              const std::vector<EffectChoice>& effects) const {
+  if (!apart_.empty()) return apart_[ball]->run(0, impact, material, effects);
   const KnownDifferences* known = known_at(ball, impact.speed);
   Impact at = impact;
   if (known) at.speed = known->speed;
@@ -207,24 +202,10 @@ ModelledImpact FemBelief::run(std::size_t ball, const Impact& impact, const Mate
     kept_->add(std::move(key), found);
   }
   ModelledImpact result = *found;
-  if (!result.plate.moves())
-    result.trace.force = without_ripple(result.trace.force, ripple_width(cells_, shape));
   if (!known) return result;
-  known->finer_of(shape).apply(result);
+  known->finer.apply(result);
   known->carry_to(result, impact.speed);
   return result;
-}
-
-std::array<CarriedDifference, 2> finer_differences(const FemBelief& coarse, const FemBelief& fine,
-                                                   std::size_t ball, const Impact& impact,
-                                                   const Material& material,
-                                                   const std::vector<EffectChoice>& effects) {
-  std::array<CarriedDifference, 2> finer;
-  for (const ForceShape shape : {ForceShape::smooth, ForceShape::sharp})
-    finer[static_cast<std::size_t>(shape)] =
-        difference_between(coarse.run(ball, impact, material, effects, shape),
-                           fine.run(ball, impact, material, effects, shape));
-  return finer;
 }
 
 ModelledImpact times_as_heavy(ModelledImpact impact, double factor) {

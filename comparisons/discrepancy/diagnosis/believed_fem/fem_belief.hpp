@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -55,15 +54,7 @@ class FemBelief {
   /// Errors: Error(solver_failed) where the impact has no end, or the material none of its
   /// strains; Error(bad_input) for an effect without a form in FE; Error(interrupted).
   ModelledImpact run(std::size_t ball, const Impact& impact, const Material& material,
-                     const std::vector<EffectChoice>& effects) const {
-    return run(ball, impact, material, effects, shape_of(effects));
-  }
-  /// The same, smoothed as a force of this shape.
-  ModelledImpact run(std::size_t ball, const Impact& impact, const Material& material,
-                     const std::vector<EffectChoice>& effects, ForceShape shape) const;
-
-  /// Which force these effects leave: what begins at the turning point or at first touch is sharp.
-  static ForceShape shape_of(const std::vector<EffectChoice>& effects);
+                     const std::vector<EffectChoice>& effects) const;
 
  private:
   class KeptImpacts;
@@ -79,12 +70,6 @@ class FemBelief {
   std::vector<KnownDifferences> known_;
   std::shared_ptr<KeptImpacts> kept_;  ///< as they were run, without corrections
 };
-
-/// What one mesh adds to the impact on another, to forces of each ForceShape.
-std::array<CarriedDifference, 2> finer_differences(const FemBelief& coarse, const FemBelief& fine,
-                                                   std::size_t ball, const Impact& impact,
-                                                   const Material& material,
-                                                   const std::vector<EffectChoice>& effects);
 
 /// The same impact of a ball `factor` times as heavy, of a material that much stiffer: forces and
 /// nothing else grow with it.

@@ -101,18 +101,17 @@ class MeshComparison {
     ComparedImpact impact;
     impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
-    impact.known = {
-        .ball = shot.ball,
-        .speed = shot.impact.speed,
-        .finer = finer_differences(coarse, fine_, shot.ball, shot.impact, material, effects),
-        .faster = {}};
+    impact.known = {.ball = shot.ball,
+                    .speed = shot.impact.speed,
+                    .finer = difference_between(impact.coarse, impact.fine),
+                    .faster = {}};
     reach_speeds_of(shot, impact.known);
     Impact above = shot.impact;
     above.speed *= 1.0 + impact.known.step;
     impact.known.faster =
         difference_between(impact.fine, fine_.run(shot.ball, above, material, effects));
     ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
-    impact.known.finer_of(FemBelief::shape_of(effects)).apply(elsewhere);
+    impact.known.finer.apply(elsewhere);
     impact.history_error = std::hypot(
         missing_ * history_difference(impact.coarse, impact.fine),
         history_difference(elsewhere, fine_.run(shot.ball, shot.impact, moved(material), effects)));
