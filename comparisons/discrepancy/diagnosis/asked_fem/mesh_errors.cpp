@@ -12,7 +12,7 @@ namespace {
 
 /// Of what so many halvings of the edge change, what counts as missing yet.
 double missing_beyond(int halvings) {
-  return halvings > 1 ? 0.6 : 0.547;
+  return halvings > 1 ? 0.4 : 0.547;
 }
 
 void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,

@@ -27,7 +27,7 @@ struct TwoMeshes {
 /// Two meshes compared at every speed of the data.
 ///
 /// Of what one halving of the edge changes 0.55 is missing yet, 1/(2^(3/2) - 1): order 3/2 is that
-/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.6
+/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.4
 /// counts as missing, where order 3/2 leaves 0.14: what they change is known for one ball, and a
 /// search moves on to others.
 struct MeshErrors {
