@@ -85,7 +85,7 @@ TEST(CommonErrorTest, EachBallHasItsOwn) {
   error_of(seen).take_out(opposite);
   error_of(half_sines(2, noise)).take_out(of_one);
   const std::size_t middle = samples / 2;
-  EXPECT_LT(std::abs(opposite[middle]), 0.1);
+  EXPECT_LT(std::abs(opposite[middle]), 0.3) << "thirty samples know an eighth to 1/5 of it";
   EXPECT_NEAR(of_one[middle], 1.0, 1e-9) << "one ball errs alike in both";
 }
 
