@@ -22,12 +22,15 @@ constexpr std::size_t most_impacts = 10'000;
 
 /// What instants are counted by: the time above 1 % of the peak force, and a tenth more. The last
 /// node leaves when it likes, and a trace ends on a sample: by those the instants of a history
-/// would jump by 0.4 % from one material to the next. A ball that sticks is followed to its end,
-/// and a plate that rings on.
+/// would jump by 0.4 % from one material to the next. A pull, which outlasts the push, and a plate
+/// that rings on are followed to the end of the trace.
 double span_of(const FemResult& result, const Plate& plate) {
-  constexpr double beyond = 1.1;
-  if (plate.moves()) return result.trace.time.back() - result.trace.time.front();
-  return std::max(result.scalars.contact_time, beyond * result.scalars.contact_time_1pct);
+  constexpr double beyond = 1.1, pulls = -1e-3;  // of the time, of the peak force
+  const std::vector<double>& force = result.trace.force;
+  const bool sticks =
+      *std::min_element(force.begin(), force.end()) < pulls * result.scalars.peak_force;
+  if (sticks || plate.moves()) return result.trace.time.back() - result.trace.time.front();
+  return beyond * result.scalars.contact_time_1pct;
 }
 
 Trace at_equal_phases(const Trace& trace, double span) {

@@ -1,6 +1,9 @@
 // Impacts of a believed FE model are kept by what they were run on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "fem/interface/elastic_models.hpp"
 
@@ -80,6 +83,21 @@ TEST(SpanOfAnImpact, ChangesSmoothlyWithTheMaterial) {
   }
   for (std::size_t k = 1; k + 1 < spans.size(); ++k)
     EXPECT_LT(std::abs(spans[k + 1] - 2.0 * spans[k] + spans[k - 1]), 5e-4 * spans[k]) << k;
+}
+
+/// A pull is followed to its end, and a push without one is not.
+TEST(SpanOfAnImpact, IsTheWholeTraceUnderAPull) {
+  const Material material = of_one_branch();
+  const FemBelief fem({}, one_shot(), {material}, 300, {});
+  const EffectChoice pull{.name = "adhesion",
+                          .size = 500.0,
+                          .parameters = {{"range_over_radius", 0.055}}};
+  const ModelledImpact sticks = fem.run(0, {.speed = 10.0}, material, {pull});
+  EXPECT_GT(sticks.trace.time.back(), 1.1 * sticks.scalars.contact_time_1pct);
+  EXPECT_LT(*std::min_element(sticks.trace.force.begin(), sticks.trace.force.end()), 0.0);
+  const ModelledImpact leaves = fem.run(0, {.speed = 10.0}, material, {});
+  EXPECT_DOUBLE_EQ(leaves.trace.time.back() - leaves.trace.time.front(),
+                   1.1 * leaves.scalars.contact_time_1pct);
 }
 
 }  // namespace
