@@ -21,9 +21,7 @@ std::string rival_text(const FindableEffect& effect) {
 }
 
 std::string family_of(const std::string& effect) {
-  for (const auto& [name, family] : names_of(EffectFamily::none))
-    if (family == find_effect(effect).card.family) return name;
-  return "none";
+  return name_of(find_effect(effect).card.family);
 }
 
 constexpr const char* explanation =

@@ -32,7 +32,9 @@ struct CountedChance {
 /// Every experiment has its own seed, that of the plan plus its place: results are the same bits
 /// whatever the number of threads.
 ///
-/// Limit: predictions hold within 0.1 -> test PlannedExperimentsTest.WhatIsPredictedIsCounted.
+/// Limit: over three histories gap and name are counted as often as predicted, to 0.1 and what few
+///        experiments leave -> test PlannedExperimentsTest.WhatIsPredictedIsCounted. Of two speeds
+///        they are not: see the folder's README.
 /// Errors: Error(bad_input) for an effect that the design has no size of; those of synthesize();
 ///         Error(interrupted).
 std::vector<CountedChance> count_chances(const SynthesisFile& plan, const TestDesign& design,

@@ -8,7 +8,7 @@ namespace rebound {
 /// A plan whose believed model is in finite elements, fitted as a diagnosis fits it.
 ///
 /// The data are those of the plan's own mesh. The model is settled on them (settle_fem_at): cells
-/// for searches, corrected by four times as many, and what these miss among the errors of the data.
+/// for searches, corrected by finer ones, and what these miss among the errors of the data.
 class PlannedFem {
  public:
   /// Errors: those of synthesize() and settle_fem_at(); Error(bad_input) for fewer data than

@@ -18,7 +18,6 @@
 namespace rebound {
 namespace {
 
-constexpr double surplus = 1.2815515655446004;  // Φ⁻¹(0.9)
 constexpr double alike = 0.99;  // cosine from which two effects are one in these data
 
 void check_plan(const SynthesisFile& plan) {
@@ -60,6 +59,7 @@ FindableEffect findable(const PlannedData& data, const RefittedChange& refitted,
   effect.chances = chances_over_size(predicted, growing);
   effect.sizes = sizes_of_chances(effect.chances);
   if (!effect.found() || effect.cosine > alike) return effect;
+  const double surplus = normal_quantile(design_chance);
   const double apart = std::pow(surplus + std::sqrt(surplus * surplus + close_criterion), 2);
   if (const auto told = growing.size_of(apart / (1.0 - effect.cosine * effect.cosine)))
     effect.told_apart = std::max(*effect.found(), *told);

@@ -118,6 +118,7 @@ void fit_beside(Diagnosis& d, const std::vector<std::vector<EffectChoice>>& star
                 const FemOfBalls& balls, const FemOfAllBalls& without, const SelectionRules& rules,
                 const RunControl& control) {
   std::vector<EffectChoice> nearest;
+  nearest.reserve(starts.size());
   for (const std::vector<EffectChoice>& of_one : starts)
     nearest.push_back(nearest_start(of_one, balls, without, control));
   const auto fits = fit_each<FemOfAllBalls>(nearest.size(), control,
@@ -185,11 +186,11 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   std::vector<std::vector<EffectChoice>> named, free;
   for (const std::string& name : effects_of_fem(lumped.effects))
     named.push_back(starts_of(find_effect(name).card, contact_time));
-  for (const std::string& name : free_forms_of_fem(lumped.effects))
-    free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
-  for (const auto& starts : {named, free}) {
-    fit_beside(d, starts, balls, without, rules, control);
-    if (is_any_supported(d)) break;
+  fit_beside(d, named, balls, without, rules, control);
+  if (!is_any_supported(d)) {
+    for (const std::string& name : free_forms_of_fem(lumped.effects))
+      free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
+    fit_beside(d, free, balls, without, rules, control);
   }
   conclude_from_fem(d, rules);
 } catch (const Error& error) {

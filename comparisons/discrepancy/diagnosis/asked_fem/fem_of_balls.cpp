@@ -23,6 +23,17 @@ std::optional<double> left_by_lumped(const Diagnosis& d, const std::set<std::str
   return std::nullopt;
 }
 
+/// Factors of strain have a form only where every branch relaxes all of the stress: beside them the
+/// ball is of that kind.
+FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects) {
+  FemProblem problem;
+  apply_effects(effects, problem);
+  if (problem.material.strain != StrainDependence{})
+    for (PronyBranch& branch : ball.material.branches) branch.relaxes = Relaxes::all;
+  ball.effects = effects;
+  return ball;
+}
+
 }  // namespace
 
 double FemOfAllBalls::information_criterion() const {
@@ -37,21 +48,6 @@ FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all, const RunCon
       seen_(d.model_discrepancy ? *d.seen : with_numerical_uncertainty(*d.seen, *d.fem_alone)),
       unseen_(d.model_discrepancy ? *d.unseen
                                   : with_numerical_uncertainty(*d.unseen, *d.fem_alone)) {}
-
-namespace {
-
-/// Factors of strain have a form only where every branch relaxes all of the stress: beside them the
-/// ball is of that kind.
-FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects) {
-  FemProblem problem;
-  apply_effects(effects, problem);
-  if (problem.material.strain != StrainDependence{})
-    for (PronyBranch& branch : ball.material.branches) branch.relaxes = Relaxes::all;
-  ball.effects = effects;
-  return ball;
-}
-
-}  // namespace
 
 FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
   FemOfAllBalls whole{.balls = d_.fem_alone->balls};

@@ -32,6 +32,7 @@ double nearest_first_touch(const Observations& seen, std::size_t shot, const Mod
   const std::vector<double>& time = seen.shots[shot].trace.time;
   const auto at_touch = [&](double touch) {
     std::vector<double> values;
+    values.reserve(unknowns.size());
     for (const CalibrationParameter& one : unknowns)
       values.push_back(one.unit == "s" ? touch : 0.0);
     return values;

@@ -15,11 +15,10 @@ std::vector<Material> materials_of(const std::vector<FittedFem>& balls) {
   return materials;
 }
 
-/// Cells of the search, and those that correct it: of a mesh from a file, which may be fine itself,
-/// half its edge.
+/// Cells of the search, and those that correct it.
 TwoMeshes two_meshes(const FemProblem& problem, const Observations& all,
                      const std::vector<Material>& materials, const RunControl& control) {
-  const int halvings = problem.mesh_file.empty() ? 2 : 1;
+  const int halvings = halvings_to_finer(problem, all);
   return {.coarse = FemBelief(problem, all, materials, search_cells, control),
           .fine = FemBelief(problem, all, materials, search_cells, control, halvings),
           .halvings = halvings};

@@ -19,14 +19,6 @@ double still_missing(int halvings) {
   return halvings > 1 ? 1.0 / 7.0 : 1.0 / 3.0;
 }
 
-/// From the cells of a search to those that correct it: a mesh from a file may be fine itself, and
-/// scalars have no ripple.
-int halvings_for(const FemProblem& problem, const Observations& all) {
-  const bool histories = std::any_of(all.shots.begin(), all.shots.end(),
-                                     [](const MeasuredImpact& shot) { return shot.has_history(); });
-  return problem.mesh_file.empty() && histories ? 2 : 1;
-}
-
 Material moved(Material material) {
   material.youngs_modulus *= moved_modulus;
   for (PronyBranch& branch : material.branches) branch.ratio *= moved_ratio;
@@ -95,11 +87,10 @@ class MeshComparison {
 
  private:
   ComparedImpact compared(const MeasuredImpact& shot) const {
-    const FemBelief& coarse = coarse_;
     const Material& material = materials_[shot.ball];
     const auto effects = effects_of_ball(effects_, shot.ball);
     ComparedImpact impact;
-    impact.coarse = coarse.run(shot.ball, shot.impact, material, effects);
+    impact.coarse = coarse_.run(shot.ball, shot.impact, material, effects);
     impact.fine = fine_.run(shot.ball, shot.impact, material, effects);
     impact.known = {.ball = shot.ball,
                     .speed = shot.impact.speed,
@@ -110,7 +101,7 @@ class MeshComparison {
     above.speed *= 1.0 + impact.known.step;
     impact.known.faster =
         difference_between(impact.fine, fine_.run(shot.ball, above, material, effects));
-    ModelledImpact elsewhere = coarse.run(shot.ball, shot.impact, moved(material), effects);
+    ModelledImpact elsewhere = coarse_.run(shot.ball, shot.impact, moved(material), effects);
     impact.known.finer.apply(elsewhere);
     impact.history_error = std::hypot(
         missing_ * history_difference(impact.coarse, impact.fine),
@@ -157,6 +148,12 @@ bool are_farther(const std::vector<Material>& fitted, const std::vector<Material
 
 }  // namespace
 
+int halvings_to_finer(const FemProblem& problem, const Observations& all) {
+  const bool histories = std::any_of(all.shots.begin(), all.shots.end(),
+                                     [](const MeasuredImpact& shot) { return shot.has_history(); });
+  return problem.mesh_file.empty() && histories ? 2 : 1;
+}
+
 SettledFem settle_fem(const FemProblem& believed, const std::vector<EffectChoice>& effects,
                       const Observations& all, const Observations& seen, const Observations& unseen,
                       const RunControl& control, int cells) {
@@ -176,7 +173,7 @@ SettledFem settle_fem_at(const HypothesisFit& near, const Observations& all,
   const int cells = fitted.cells;
   fitted.material = materials.front();
   const auto cut = std::make_shared<const FemBelief>(fitted, all, materials, cells, control);
-  const int halvings = halvings_for(fitted, all);
+  const int halvings = halvings_to_finer(fitted, all);
   const FemBelief fine(fitted, all, materials, cells, control, halvings);
   const auto settled_at = [&](const HypothesisFit& fit) -> SettledFem {
     const std::vector<Material> fitted_to = materials_of(fit, all.balls.size());

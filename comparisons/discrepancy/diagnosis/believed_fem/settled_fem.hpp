@@ -18,6 +18,11 @@ struct SettledFem {
 /// Cells of the mesh that searches run on. Differences to a finer one count as an error.
 inline constexpr int search_cells = 300;
 
+/// How often the edge is halved from the cells of a search to those that correct it: twice; once
+/// where there are scalars alone, which have no ripple, and for a mesh from a file, which may be
+/// fine itself.
+int halvings_to_finer(const FemProblem& problem, const Observations& all);
+
 /// Fits a believed FE model to what was seen, cuts the balls anew for that material, corrects every
 /// impact by what sixteen times the cells add to it, or four times where there are scalars alone
 /// (CarriedDifference), and measures what is still wrong:

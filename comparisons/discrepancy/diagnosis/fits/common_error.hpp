@@ -32,7 +32,7 @@ class CommonError {
 
  private:
   struct OfBall {
-    Eigen::MatrixXd directions;  ///< orthonormal, of rows from `first` on
+    Eigen::MatrixXd directions;  ///< orthonormal [rows][8]
     Eigen::VectorXd taken;       ///< 1 − 1/√(1 + λ) of each
   };
   std::vector<OfBall> balls_;

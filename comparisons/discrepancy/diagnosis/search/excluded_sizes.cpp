@@ -39,8 +39,8 @@ std::optional<double> visible_size(const EffectSensitivities& around, const Effe
   return size;
 }
 
-}  // namespace
-
+/// The size from which χ² rises by at least `rise` wherever its further parameters stand on their
+/// grid and for either sign; nothing where it does not at eight times the prior scale.
 std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
                                              const EffectCard& card, double rise) {
   ExcludedSize excluded{.name = card.name, .size = 0.0, .over = {}};
@@ -61,6 +61,8 @@ std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
     }
   return excluded;
 }
+
+}  // namespace
 
 std::vector<ExcludedSize> excluded_sizes(const EffectSensitivities& around) {
   std::vector<ExcludedSize> all;

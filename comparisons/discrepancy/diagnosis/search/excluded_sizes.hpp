@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +18,6 @@ struct ExcludedSize {
   };
   std::vector<Over> over;
 };
-
-/// The size from which χ² rises by at least `rise` wherever its further parameters stand on their
-/// grid and for either sign; nothing where it does not at eight times the prior scale.
-std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
-                                             const EffectCard& card, double rise);
 
 /// Sizes that a fitted model which agrees with its data excludes.
 ///

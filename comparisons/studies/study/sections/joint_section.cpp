@@ -17,9 +17,9 @@ double percent(double ratio) {
   return 100.0 * (ratio - 1.0);
 }
 
-std::string from_to_percent(const std::vector<double>& ratios) {
-  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return fmt::format("{:+.0f} to {:+.0f} %", percent(*least), percent(*most));
+std::string from_to_percent(std::vector<double> ratios) {
+  for (double& ratio : ratios) ratio = percent(ratio);
+  return percent_range(ratios);
 }
 
 /// Whether the kind is mended by one rule of reading it.
@@ -46,6 +46,7 @@ std::string by_speed(const std::vector<const CoreStudy*>& cores, ObservedQuantit
           if (const double ratio = fit.of(what).of_shots[i]; std::isfinite(ratio))
             ratios[core->scalars->all.shots[i].impact.speed].push_back(ratio);
   std::vector<std::string> speeds;
+  speeds.reserve(ratios.size());
   for (const auto& [speed, of_cores] : ratios)
     speeds.push_back(fmt::format("{} at {:g} m/s", from_to_percent(of_cores), speed));
   return fmt::format("{}", fmt::join(speeds, ", "));
@@ -67,7 +68,7 @@ std::string contradiction_sentence(const JointScalars& joint, std::size_t cores)
         "All {} cores together: materials of the believed law hold all scalars "
         "(reduced χ² {:.2g}).",
         cores, all);
-  const std::string start = fmt::format(
+  std::string start = fmt::format(
       "All {} cores together: no materials of the believed law, one of each core, hold all scalars "
       "(reduced χ² {:.2g}).",
       cores, all);

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "comparisons/inference/calibration/observations.hpp"
 
@@ -24,6 +28,13 @@ inline std::string in_words(ObservedQuantity what) {
 inline const char* direction_in_words(ObservedQuantity what, bool above) {
   if (what == ObservedQuantity::contact_time) return above ? "longer" : "shorter";
   return above ? "larger" : "smaller";
+}
+
+/// "+16 to +26 %".
+inline std::string percent_range(const std::vector<double>& percent) {
+  const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
+  return *least == *most ? fmt::format("{:+.0f} %", *least)
+                         : fmt::format("{:+.0f} to {:+.0f} %", *least, *most);
 }
 
 }  // namespace rebound

@@ -111,13 +111,6 @@ report::Matrix contradiction_matrix(const std::vector<CoreStudy>& cores) {
   return matrix;
 }
 
-/// "+16 to +26 %".
-std::string percent_range(const std::vector<double>& percent) {
-  const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
-  return *least == *most ? fmt::format("{:+.0f} %", *least)
-                         : fmt::format("{:+.0f} to {:+.0f} %", *least, *most);
-}
-
 report::Table fit_table(const std::vector<CoreStudy>& cores) {
   report::Table table{
       .title = "Fits with one kind of observable left out",
