@@ -57,6 +57,9 @@ TEST(KeptImpacts, AreOfOneElasticLaw) {
   other.terms = {{.exponent = 4.0, .beta = {}}};
   const double of_foam = peak_of(other);
   EXPECT_GT(std::abs(of_foam - peak), 1e-3 * peak);
+  other.elastic = ElasticModel::ogden;
+  EXPECT_GT(std::abs(peak_of(other) - of_foam), 1e-3 * peak) << "of the same terms";
+  other.elastic = ElasticModel::hyperfoam;
   other.terms.front().exponent = 6.0;
   EXPECT_NE(peak_of(other), of_foam);
   other = neo_hookean;
