@@ -92,9 +92,8 @@ TEST(SpanOfAnImpact, ChangesSmoothlyWithTheMaterial) {
 TEST(SpanOfAnImpact, IsTheWholeTraceUnderAPull) {
   const Material material = of_one_branch();
   const FemBelief fem({}, one_shot(), {material}, 300, {});
-  const EffectChoice pull{.name = "adhesion",
-                          .size = 500.0,
-                          .parameters = {{"range_over_radius", 0.055}}};
+  const EffectChoice pull{
+      .name = "adhesion", .size = 500.0, .parameters = {{"range_over_radius", 0.055}}};
   const ModelledImpact sticks = fem.run(0, {.speed = 10.0}, material, {pull});
   EXPECT_GT(sticks.trace.time.back(), 1.1 * sticks.scalars.contact_time_1pct);
   EXPECT_LT(*std::min_element(sticks.trace.force.begin(), sticks.trace.force.end()), 0.0);
