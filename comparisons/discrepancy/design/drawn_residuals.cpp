@@ -45,16 +45,17 @@ Eigen::MatrixXd units_of(Eigen::MatrixXd columns, double least = 0.0) {
   return columns;
 }
 
+/// Of what is hidden, along this way, where it is the effect's own.
+double unseen_share(const EffectWay& way, const HiddenChange* hidden) {
+  return hidden && way.name == hidden->name ? 1.0 - hidden->share_seen : 0.0;
+}
+
 }  // namespace
 
 DrawnResiduals::DrawnResiduals(const PlannedData& data, const SelectionRules& rules,
                                std::uint64_t seed)
     : rows_(data) {
-  const auto& columns = data.around->all();
-  Eigen::MatrixXd raw(rows_.rows(), std::ssize(columns));
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    raw.col(static_cast<Eigen::Index>(j)) = columns[j].sensitivity;
-  add_ways(*data.around, raw);
+  add_ways(*data.around);
   all_cells_ = rows_.cells(data, false);
   for (Eigen::Index c = 0; c < all_cells_.cols(); ++c)
     all_cells_.col(c) = data.around->project(all_cells_.col(c));
@@ -73,7 +74,10 @@ DrawnResiduals::DrawnResiduals(const PlannedData& data, const SelectionRules& ru
   draw_noise(seed);
 }
 
-void DrawnResiduals::add_ways(const EffectSensitivities& around, const Eigen::MatrixXd& columns) {
+void DrawnResiduals::add_ways(const EffectSensitivities& around) {
+  Eigen::MatrixXd columns(rows_.rows(), std::ssize(around.all()));
+  for (Eigen::Index j = 0; j < columns.cols(); ++j)
+    columns.col(j) = around.all()[static_cast<std::size_t>(j)].sensitivity;
   std::map<std::string, std::size_t> places;
   const Eigen::MatrixXd fitted = rows_.seen(columns);
   all_ = units_of(columns);
@@ -117,20 +121,13 @@ void DrawnResiduals::draw_noise(std::uint64_t seed) {
 }
 
 HiddenChange DrawnResiduals::hidden(const std::string& name, const Eigen::VectorXd& change,
-                                    const Eigen::MatrixXd& columns) const {
+                                    double share_seen) const {
   const Eigen::VectorXd moved = -change, fitted = rows_.seen(moved), missed = rows_.unseen(moved);
-  HiddenChange hidden;
+  HiddenChange hidden{.share_seen = share_seen};
   hidden.name =
       static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
   hidden.seen = seen_.transpose() * moved;
   hidden.all = all_.transpose() * moved;
-  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-    const Eigen::VectorXd own = rows_.seen(columns.col(j));
-    const double length = own.norm(), length_of_all = columns.col(j).norm();
-    if (ways_[static_cast<std::size_t>(j)].length == 0.0 || !(length > 0.0)) continue;
-    hidden.seen[j] = own.dot(moved) / length;
-    hidden.all[j] = columns.col(j).dot(moved) / length_of_all;
-  }
   hidden.seen_cells = seen_cells_.transpose() * moved;
   hidden.all_cells = all_cells_.transpose() * moved;
   hidden.unseen = unseen_.transpose() * missed;
@@ -171,19 +168,26 @@ double DrawnResiduals::gain(const EffectWay& way, double statistic, double lengt
   return way.sign * -statistic < 0.0 ? 0.0 : statistic * statistic;
 }
 
-double DrawnResiduals::largest_gain(const DrawnStatistics& one) const {
+double DrawnResiduals::largest_gain(const DrawnStatistics& one, const HiddenChange* hidden) const {
   double largest = 0.0;
-  for (std::size_t j = 0; j < ways_.size(); ++j)
-    largest =
-        std::max(largest, gain(ways_[j], one.seen[static_cast<Eigen::Index>(j)], ways_[j].length));
+  for (std::size_t j = 0; j < ways_.size(); ++j) {
+    const auto way = static_cast<Eigen::Index>(j);
+    const double unseen = unseen_share(ways_[j], hidden);
+    const double z = one.seen[way] - (unseen > 0.0 ? unseen * hidden->seen[way] : 0.0);
+    largest = std::max(largest, gain(ways_[j], z, ways_[j].length));
+  }
   return largest;
 }
 
-double DrawnResiduals::largest_gain_of_all(const DrawnStatistics& one) const {
+double DrawnResiduals::largest_gain_of_all(const DrawnStatistics& one,
+                                           const HiddenChange* hidden) const {
   double largest = 0.0;
-  for (std::size_t j = 0; j < ways_.size(); ++j)
-    largest = std::max(
-        largest, gain(ways_[j], one.all[static_cast<Eigen::Index>(j)], ways_[j].length_of_all));
+  for (std::size_t j = 0; j < ways_.size(); ++j) {
+    const auto way = static_cast<Eigen::Index>(j);
+    const double unseen = unseen_share(ways_[j], hidden);
+    const double z = one.all[way] - (unseen > 0.0 ? unseen * hidden->all[way] : 0.0);
+    largest = std::max(largest, gain(ways_[j], z, ways_[j].length_of_all));
+  }
   return largest;
 }
 

@@ -34,7 +34,8 @@ struct StepLimits {
 
 /// What is hidden, as the statistics of all draws see it.
 struct HiddenChange {
-  std::size_t name = 0;                                      ///< index into the names
+  double share_seen = 1.0;  ///< of what is hidden, by the first test along its own effect
+  std::size_t name = 0;     ///< index into the names
   Eigen::VectorXd seen, all, seen_cells, all_cells, unseen;  ///< statistics of −Δ
   double length = 0.0;                                       ///< |Δ| in what fits see
   double unseen_square = 0.0;    ///< |Δ|² of the prediction of the unseen speed
@@ -59,18 +60,18 @@ class DrawnResiduals {
  public:
   DrawnResiduals(const PlannedData& data, const SelectionRules& rules, std::uint64_t seed);
 
-  /// `columns`: of all ways around the fit to what is hidden; empty: those of the plan. Noise is
-  /// seen along those of the plan in either case.
+  /// `change`: what is hidden leaves in the residuals; `share_seen`: of it, by the first test.
   HiddenChange hidden(const std::string& name, const Eigen::VectorXd& change,
-                      const Eigen::MatrixXd& columns) const;
+                      double share_seen) const;
   /// Null: nothing is hidden.
   DrawnStatistics draw(Eigen::Index number, const HiddenChange* hidden) const;
   Eigen::Index draws() const { return noise_.cols(); }
 
   /// Δχ² of one effect along one way, of its switch or with the sign that it may have.
   double gain(const EffectWay& way, double statistic, double length) const;
-  double largest_gain(const DrawnStatistics& one) const;
-  double largest_gain_of_all(const DrawnStatistics& one) const;
+  /// Of the first test, to first order where the fit to the data has ended.
+  double largest_gain(const DrawnStatistics& one, const HiddenChange* hidden) const;
+  double largest_gain_of_all(const DrawnStatistics& one, const HiddenChange* hidden) const;
   /// Square of what one unit along a way does at the unseen speed.
   double unseen_square(Eigen::Index way) const { return unseen_.col(way).squaredNorm(); }
 
@@ -84,7 +85,7 @@ class DrawnResiduals {
   StepLimits seen_limits, all_limits, candidate_limits;
 
  private:
-  void add_ways(const EffectSensitivities& around, const Eigen::MatrixXd& columns);
+  void add_ways(const EffectSensitivities& around);
   void draw_noise(std::uint64_t seed);
 
   LinearRows rows_;

@@ -7,6 +7,9 @@
 namespace rebound {
 namespace {
 
+/// The share that is seen falls with the size; it is measured between half and nearly all found.
+constexpr double share_of_rise = 0.7;
+
 /// Between two sizes, as far as their chances go; chances of Φ grow about evenly with √Δχ², so with
 /// the size.
 SizeOfChance between(const SizeOfChance& a, const SizeOfChance& b, double chance) {
@@ -22,20 +25,26 @@ SizeOfChance between(const SizeOfChance& a, const SizeOfChance& b, double chance
 }  // namespace
 
 GrowingEffect::GrowingEffect(const PlannedData& data, const RefittedChange& refitted,
-                             std::string name, double rise)
+                             const PlannedPairs* pairs, std::string name, double rise)
     : data_(data), refitted_(refitted), name_(std::move(name)) {
   const EffectCard& card = find_effect(name_).card;
   const bool is_dear = data.fit->model->fem() && !is_measurement(name_);
   least_ = is_dear ? least_visible_to_first_order(*data.around, *data.seen, card, rise)
                    : least_visible(*data.around, card, rise);
   if (!least_) return;
-  const std::optional<Refitted> found = refitted.by(least_->effect);
-  if (!found) {
+  const std::optional<Eigen::VectorXd> change = refitted.by(least_->effect);
+  if (!change) {
     least_.reset();
     return;
   }
-  if (is_dear) linear_ = found->change;
-  if (!data.fit->model->fem()) columns_ = refitted.columns_at(found->values);
+  if (is_dear) linear_ = change;
+  if (pairs) measure(*pairs, share_of_rise * rise);
+}
+
+void GrowingEffect::measure(const PlannedPairs& pairs, double rise) {
+  const auto size = size_of(rise);
+  const auto change = size ? refitted_.by(at(*size)) : std::nullopt;
+  if (change) share_ = pairs.share_seen(at(*size), *change).value_or(1.0);
 }
 
 EffectChoice GrowingEffect::at(double size) const {
@@ -46,9 +55,9 @@ EffectChoice GrowingEffect::at(double size) const {
 
 std::optional<Eigen::VectorXd> GrowingEffect::change(double size) const {
   if (linear_) return *linear_ * (size / least_->size);
-  const std::optional<Refitted> found = refitted_.by(at(size));
-  if (!found) return std::nullopt;
-  return found->change;
+  const std::optional<Eigen::VectorXd> left = refitted_.by(at(size));
+  if (!left) return std::nullopt;
+  return std::max(1.0, share_) * *left;
 }
 
 std::optional<double> GrowingEffect::size_of(double rise) const {
@@ -69,7 +78,7 @@ std::vector<SizeOfChance> chances_over_size(const PredictedDiagnosis& predicted,
     if (!size) break;
     const auto change = effect.change(*size);
     if (!change) break;
-    const DiagnosisChances said = predicted.with(effect.name(), *change, effect.columns());
+    const DiagnosisChances said = predicted.with(effect.name(), *change, effect.share_seen());
     // No effect that is larger is found less often but for the noise of the draws.
     all.push_back({.hidden = effect.at(*size),
                    .size = *size,

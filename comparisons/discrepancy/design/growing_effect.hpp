@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/design/hidden_sizes.hpp"
+#include "comparisons/discrepancy/design/planned_pairs.hpp"
 #include "comparisons/discrepancy/design/predicted_diagnosis.hpp"
 #include "comparisons/discrepancy/design/refitted_change.hpp"
 #include "comparisons/discrepancy/design/test_design.hpp"
@@ -18,25 +20,30 @@ namespace rebound {
 /// it; exact otherwise.
 class GrowingEffect {
  public:
-  /// `rise`: of χ², at which it is looked where the effect shows least. All must outlive this.
-  GrowingEffect(const PlannedData& data, const RefittedChange& refitted, std::string name,
-                double rise);
+  /// `rise`: of χ², at which it is looked where the effect shows least. `pairs`: null beside FE.
+  /// All must outlive this.
+  GrowingEffect(const PlannedData& data, const RefittedChange& refitted, const PlannedPairs* pairs,
+                std::string name, double rise);
 
   const std::string& name() const { return name_; }
   bool is_found() const { return least_.has_value(); }  ///< else the rest may not be asked
   EffectChoice at(double size) const;
+  /// Of the residuals. More than the plan's own fit says where other experiments show more: what
+  /// noise is estimated at is by chance.
   std::optional<Eigen::VectorXd> change(double size) const;
-  /// Of all effects, as they are around the fit to data with this one hidden in them.
-  const Eigen::MatrixXd& columns() const { return columns_; }
+  /// Of the change, by the first test of a diagnosis; 1 where that was not measured.
+  double share_seen() const { return std::min(1.0, share_); }
   /// The size that raises χ² by this much; nothing where none does.
   std::optional<double> size_of(double rise) const;
 
  private:
+  void measure(const PlannedPairs& pairs, double rise);
+
   const PlannedData& data_;
   const RefittedChange& refitted_;
   std::string name_;
   std::optional<LeastVisible> least_;
-  Eigen::MatrixXd columns_;                ///< of all effects around the fit with this one hidden
+  double share_ = 1.0;                     ///< PlannedPairs
   std::optional<Eigen::VectorXd> linear_;  ///< the change at that size, where every one is dear
 };
 

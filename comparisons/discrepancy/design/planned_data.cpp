@@ -50,14 +50,17 @@ void check_enough(const Observations& seen, const Hypothesis& believed) {
 }
 
 PlannedData planned_data(const SynthesisFile& plan) {
+  return planned_data(plan, absent_effects({}));
+}
+
+PlannedData planned_data(const SynthesisFile& plan, const std::vector<std::string>& effects) {
   PlannedData data;
   data.seen = std::make_shared<const Observations>(
       observe({synthesize(plan, simulator_of(plan, {})).dataset}));
   const Hypothesis believed{.believed = plan.lumped, .effects = {}, .model_discrepancy = nullptr};
   check_enough(*data.seen, believed);
   data.fit = std::make_unique<const HypothesisFit>(fit_hypothesis(*data.seen, believed));
-  data.around =
-      std::make_unique<const EffectSensitivities>(*data.seen, *data.fit, absent_effects({}));
+  data.around = std::make_unique<const EffectSensitivities>(*data.seen, *data.fit, effects);
   return data;
 }
 

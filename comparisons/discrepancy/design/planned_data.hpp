@@ -26,6 +26,8 @@ void check_enough(const Observations& seen, const Hypothesis& believed);
 /// Of a lumped model. Errors: as synthesize() and fit_hypothesis(); Error(bad_input) for fewer data
 /// than unknowns.
 PlannedData planned_data(const SynthesisFile& plan);
+/// Around the fit these effects alone.
+PlannedData planned_data(const SynthesisFile& plan, const std::vector<std::string>& effects);
 
 /// A plan that differs in one thing.
 struct ChangedPlan {

@@ -59,7 +59,7 @@ class Steps {
                                  const DrawnStatistics& one) const;
   void keep_within_reach(std::vector<Gained>& members) const;
   bool stands(const std::vector<Gained>& members, const DrawnStatistics& one) const;
-  bool leaves_noise(const DrawnStatistics& one) const;
+  bool leaves_noise(const DrawnStatistics& one, const HiddenChange* hidden) const;
 
   const DrawnResiduals& residuals_;
   const SelectionRules& rules_;
@@ -178,19 +178,19 @@ bool Steps::stands(const std::vector<Gained>& members, const DrawnStatistics& on
 }
 
 /// Is what the believed model leaves noise, by the tests that a diagnosis begins with?
-bool Steps::leaves_noise(const DrawnStatistics& one) const {
+bool Steps::leaves_noise(const DrawnStatistics& one, const HiddenChange* hidden) const {
   const auto is_quiet = [](double gained, double cell, const StepLimits& limits) {
     return gained <= limits.gain && cell <= limits.cell;
   };
   return one.chi_square <= most_chi_square_ &&
-         is_quiet(residuals_.largest_gain(one), one.largest_cell, residuals_.seen_limits) &&
-         (!asks_unseen_ || is_quiet(residuals_.largest_gain_of_all(one), one.largest_cell_of_all,
-                                    residuals_.all_limits));
+         is_quiet(residuals_.largest_gain(one, hidden), one.largest_cell, residuals_.seen_limits) &&
+         (!asks_unseen_ || is_quiet(residuals_.largest_gain_of_all(one, hidden),
+                                    one.largest_cell_of_all, residuals_.all_limits));
 }
 
 Steps::Answer Steps::answer(const HiddenChange* hidden, Eigen::Index draw) const {
   const DrawnStatistics one = residuals_.draw(draw, hidden);
-  if (leaves_noise(one)) return {};
+  if (leaves_noise(one, hidden)) return {};
   const std::vector<Gained> all_tried = tried(hidden, one);
   const std::vector<Gained> members = candidates(all_tried, one);
   const auto member = [&](std::size_t name) {
@@ -230,8 +230,8 @@ DiagnosisChances PredictedDiagnosis::chances(const HiddenChange* hidden) const {
 }
 
 DiagnosisChances PredictedDiagnosis::with(const std::string& name, const Eigen::VectorXd& change,
-                                          const Eigen::MatrixXd& columns) const {
-  const HiddenChange hidden = residuals_->hidden(name, change, columns);
+                                          double share_seen) const {
+  const HiddenChange hidden = residuals_->hidden(name, change, share_seen);
   return chances(&hidden);
 }
 

@@ -37,10 +37,10 @@ class PredictedDiagnosis {
   PredictedDiagnosis(const PlannedData& data, const SelectionRules& rules, std::uint64_t seed);
   ~PredictedDiagnosis();
 
-  /// `change`: of the residuals, by what is hidden (RefittedChange); `columns`: those of all ways
-  /// around the fit to it, or empty where they are those of the plan.
+  /// `change`: of the residuals, by what is hidden (RefittedChange); `share_seen`: of it, by the
+  /// first test along the effect's own directions (PlannedPairs).
   DiagnosisChances with(const std::string& name, const Eigen::VectorXd& change,
-                        const Eigen::MatrixXd& columns) const;
+                        double share_seen) const;
   DiagnosisChances with_nothing() const;
 
  private:

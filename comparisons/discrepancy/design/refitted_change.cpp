@@ -38,18 +38,17 @@ std::optional<Eigen::VectorXd> RefittedChange::unfitted(const EffectChoice& effe
 }
 
 std::optional<double> RefittedChange::rise(const EffectChoice& effect) const {
-  const std::optional<Refitted> found = by(effect);
-  if (!found) return std::nullopt;
-  return data_.around->project(found->change).squaredNorm();
+  const std::optional<Eigen::VectorXd> left = by(effect);
+  if (!left) return std::nullopt;
+  return data_.around->project(*left).squaredNorm();
 }
 
-std::optional<Refitted> RefittedChange::by(const EffectChoice& effect) const {
+std::optional<Eigen::VectorXd> RefittedChange::by(const EffectChoice& effect) const {
   constexpr int steps = 6;
   constexpr double settled = 1e-2;  // in χ²
   const std::optional<Eigen::VectorXd> change = unfitted(effect);
   const HypothesisFit& fit = *data_.fit;
-  if (!change) return std::nullopt;
-  if (fit.model->fem()) return Refitted{*change, fit.values};
+  if (!change || fit.model->fem()) return change;
   const JointModel model(*data_.seen, fit.hypothesis);  // of this thread
   const Eigen::VectorXd before = residuals_of(model, fit.values);
   std::vector<double> values = fit.values;
@@ -67,35 +66,14 @@ std::optional<Refitted> RefittedChange::by(const EffectChoice& effect) const {
       const double gained = left.squaredNorm() - moved.squaredNorm();
       if (gained <= 0.0) break;
       left = moved;
-      values = next;
+      values = std::move(next);
       if (gained < settled) break;
     } catch (const Error& error) {
       if (!has_no_answer(error)) throw;
       break;
     }
   }
-  return Refitted{-left, std::move(values)};
-}
-
-Eigen::MatrixXd RefittedChange::columns_at(const std::vector<double>& values) const {
-  const auto& before = data_.around->all();
-  Eigen::MatrixXd columns(std::ssize(data_.fit->residuals), std::ssize(before));
-  HypothesisFit moved = *data_.fit;
-  moved.model = std::make_shared<const JointModel>(*data_.seen, moved.hypothesis);
-  moved.values = values;
-  moved.residuals = moved.model->residuals(values);
-  const EffectSensitivities around(*data_.seen, moved, data_.around->effects());
-  for (std::size_t j = 0; j < before.size(); ++j) {
-    const auto same =
-        std::find_if(around.all().begin(), around.all().end(), [&](const EffectSensitivity& one) {
-          return one.effect.name == before[j].effect.name &&
-                 one.effect.size == before[j].effect.size &&
-                 one.effect.parameters == before[j].effect.parameters;
-        });
-    columns.col(static_cast<Eigen::Index>(j)) =
-        same == around.all().end() ? before[j].sensitivity : same->sensitivity;
-  }
-  return columns;
+  return -left;
 }
 
 }  // namespace rebound

@@ -3,17 +3,10 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <optional>
-#include <vector>
 
 #include "comparisons/discrepancy/design/planned_data.hpp"
 
 namespace rebound {
-
-/// A plan with an effect hidden in it, once the believed model is fitted to that.
-struct Refitted {
-  Eigen::VectorXd change;      ///< what the effect leaves in the residuals [rows]
-  std::vector<double> values;  ///< of the believed model's unknowns then
-};
 
 /// What a hidden effect leaves once the believed model is fitted to it.
 ///
@@ -24,7 +17,7 @@ struct Refitted {
 ///
 /// A believed number that moves by a third takes up more of an effect than its derivative says.
 /// Beside a believed FE model no steps are made: what derivatives take up is left to LinearRows.
-/// The directions of effects move with the fit, too: a diagnosis takes them where it has ended.
+/// The directions of effects move with the fit, too (PlannedPairs).
 /// Limit:   a small effect leaves what first order says
 ///          -> test RefittedChangeTest.ASmallEffectLeavesWhatFirstOrderSays.
 class RefittedChange {
@@ -32,12 +25,11 @@ class RefittedChange {
   /// `data` must outlive this. May be asked by several threads.
   explicit RefittedChange(const PlannedData& data);
 
-  /// Nothing where the effect has no form here, or no answer.
-  std::optional<Refitted> by(const EffectChoice& effect) const;
+  /// What the effect leaves in the residuals [rows]; nothing where it has no form here, or no
+  /// answer.
+  std::optional<Eigen::VectorXd> by(const EffectChoice& effect) const;
   /// |change|², what derivatives can still take up taken out: how far χ² rises without noise.
   std::optional<double> rise(const EffectChoice& effect) const;
-  /// Columns of `data.around`, in its order, as they are around these values.
-  Eigen::MatrixXd columns_at(const std::vector<double>& values) const;
 
  private:
   std::optional<Eigen::VectorXd> unfitted(const EffectChoice& effect) const;

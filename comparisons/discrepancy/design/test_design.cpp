@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
 #include "comparisons/discrepancy/design/planned_fem.hpp"
+#include "comparisons/discrepancy/design/planned_pairs.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
@@ -50,11 +51,12 @@ void find_rival(const EffectSensitivities& around, FindableEffect& effect) {
 }
 
 FindableEffect findable(const PlannedData& data, const RefittedChange& refitted,
-                        const PredictedDiagnosis& predicted, const std::string& name,
-                        double threshold, double close_criterion) {
+                        const PlannedPairs* pairs, const PredictedDiagnosis& predicted,
+                        const std::string& name, double threshold, double close_criterion) {
   FindableEffect effect{.name = name};
   find_rival(*data.around, effect);
-  const GrowingEffect growing(data, refitted, name, rise_of_chance(design_chance, threshold));
+  const GrowingEffect growing(data, refitted, pairs, name,
+                              rise_of_chance(design_chance, threshold));
   if (!growing.is_found()) return effect;
   effect.chances = chances_over_size(predicted, growing);
   effect.sizes = sizes_of_chances(effect.chances);
@@ -147,14 +149,16 @@ TestDesign design_test(const SynthesisFile& plan, std::uint64_t seed, const RunC
   if (fem) design.left_out = without_form_in_fem(data.around->effects());
   const PredictedDiagnosis predicted(data, rules, seed);
   const RefittedChange refitted(data);
+  std::optional<PlannedPairs> pairs;
+  if (!fem) pairs.emplace(plan, data);
   design.nothing_hidden.gap = predicted.with_nothing().gap;
   constexpr double own_share = 0.6;
   const std::vector<std::string> names = with_a_size(*data.around);
   design.effects.resize(names.size());
   in_parallel(names.size(), [&](std::size_t i) {
     if (control.interrupted && control.interrupted()) return;
-    design.effects[i] =
-        findable(data, refitted, predicted, names[i], design.gap_threshold, rules.close_criterion);
+    design.effects[i] = findable(data, refitted, pairs ? &*pairs : nullptr, predicted, names[i],
+                                 design.gap_threshold, rules.close_criterion);
   });
   continue_at(own_share);
   const auto errors_of = [&](const SynthesisFile& file) {

@@ -39,7 +39,7 @@ TEST(RefittedChangeTest, ASmallEffectLeavesWhatFirstOrderSays) {
     if (one.effect.name == "strain-stiffening") own = &one;
   ASSERT_TRUE(own);
   const Eigen::VectorXd first = 0.012 * own->sensitivity;
-  EXPECT_LT((data.around->project(left->change) - first).norm(), 0.1 * first.norm());
+  EXPECT_LT((data.around->project(*left) - first).norm(), 0.1 * first.norm());
 }
 
 TEST(LinearRowsTest, WhatTheFitTakesUpIsSeenNowhere) {

@@ -13,16 +13,9 @@
 namespace rebound {
 namespace {
 
-/// Few samples: a diagnosis takes a third of a second.
-SynthesisFile coarse_plan() {
-  SynthesisFile plan = testing::experiment_with({}, 5);
-  plan.sampling.rate = 40e3;
-  return plan;
-}
-
 // Over the three sizes together, within 0.1 and two standard deviations of so few experiments.
 TEST(PlannedExperimentsTest, WhatIsPredictedIsCounted) {
-  const SynthesisFile plan = coarse_plan();
+  const SynthesisFile plan = testing::coarse_experiment(5);
   const TestDesign design = design_test(plan, 1);
   const auto rows = count_chances(plan, design, {.experiments = 8, .effect = "relaxation"});
   ASSERT_EQ(rows.size(), 1 + design_chances.size());
@@ -45,7 +38,7 @@ TEST(PlannedExperimentsTest, WhatIsPredictedIsCounted) {
 }
 
 TEST(PlannedExperimentsTest, ThreadsChangeNothing) {
-  const SynthesisFile plan = coarse_plan();
+  const SynthesisFile plan = testing::coarse_experiment(5);
   TestDesign design;
   FindableEffect& effect = design.effects.emplace_back(FindableEffect{.name = "relaxation"});
   effect.sizes = {{.hidden = {"relaxation", 0.5}, .size = 0.5}};
@@ -62,10 +55,12 @@ TEST(PlannedExperimentsTest, ThreadsChangeNothing) {
 }
 
 TEST(PlannedExperimentsTest, RefusesWhatIsNotFoundAndEndsWhenAsked) {
-  EXPECT_THROW(count_chances(coarse_plan(), {}, {.experiments = 1, .effect = "relaxation"}), Error);
+  EXPECT_THROW(
+      count_chances(testing::coarse_experiment(5), {}, {.experiments = 1, .effect = "relaxation"}),
+      Error);
   const RunControl stop{.interrupted = [] { return true; }, .progress = {}};
   try {
-    count_chances(coarse_plan(), {}, {.experiments = 1}, stop);
+    count_chances(testing::coarse_experiment(5), {}, {.experiments = 1}, stop);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::interrupted);

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/design/chance_found.hpp"
+#include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
+#include "comparisons/discrepancy/design/planned_pairs.hpp"
 #include "comparisons/discrepancy/design/refitted_change.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "lumped/problem/error.hpp"
@@ -21,7 +24,7 @@ const FindableEffect& of(const TestDesign& design, const std::string& name) {
 }
 
 TEST(TestDesignTest, WhatIsAbsorbedIsToldApartFromNothing) {
-  const TestDesign design = design_test(testing::experiment_with({}, 5), 1);
+  const TestDesign design = design_test(testing::coarse_experiment(5), 1);
   // The scale of the force and the mass of the ball differ by nothing in histories of one ball.
   const FindableEffect& gain = of(design, "force-gain");
   EXPECT_GT(gain.cosine, 0.99);
@@ -35,29 +38,30 @@ TEST(TestDesignTest, WhatIsAbsorbedIsToldApartFromNothing) {
 // Beside a rival at a cosine c, what is left of χ² is 1 − c²: the size that is told apart raises χ²
 // by so much more.
 TEST(TestDesignTest, ARivalCostsWhatTheCosineLeaves) {
-  const SynthesisFile plan = testing::experiment_with({}, 5);
+  const SynthesisFile plan = testing::coarse_experiment(5);
   const TestDesign design = design_test(plan, 1);
   const PlannedData data = planned_data(plan);
   const RefittedChange refitted(data);
   const SelectionRules rules;
   constexpr double surplus = 1.2815515655446004;
   const double apart = std::pow(surplus + std::sqrt(surplus * surplus + rules.close_criterion), 2);
+  const PlannedPairs pairs(plan, data);
+  const double threshold = data.around->threshold(rules.false_gap_level, 1);
   int compared = 0;
   for (const FindableEffect& one : design.effects) {
     if (!one.told_apart || *one.told_apart < 1.05 * *one.found()) continue;
-    EffectChoice hidden = one.sizes.back().hidden;
-    const double null = find_effect(one.name).card.null;
-    hidden.size = null + std::copysign(*one.told_apart, hidden.size - null);
-    const auto rise = refitted.rise(hidden);
-    ASSERT_TRUE(rise) << one.name;
-    EXPECT_NEAR(*rise * (1.0 - one.cosine * one.cosine) / apart, 1.0, 0.05) << one.name;
+    const GrowingEffect growing(data, refitted, &pairs, one.name, rise_of_chance(0.9, threshold));
+    const auto change = growing.change(*one.told_apart);
+    ASSERT_TRUE(change) << one.name;
+    const double seen = data.around->project(*change).squaredNorm();
+    EXPECT_NEAR(seen * (1.0 - one.cosine * one.cosine) / apart, 1.0, 0.05) << one.name;
     ++compared;
   }
   EXPECT_GE(compared, 2);
 }
 
 TEST(TestDesignTest, ChancesGrowWithTheSize) {
-  const TestDesign design = design_test(testing::experiment_with({}, 5), 1);
+  const TestDesign design = design_test(testing::coarse_experiment(5), 1);
   EXPECT_LT(design.nothing_hidden.gap, 0.05);
   const FindableEffect& effect = of(design, "relaxation");
   ASSERT_EQ(effect.sizes.size(), design_chances.size());
@@ -70,7 +74,7 @@ TEST(TestDesignTest, ChancesGrowWithTheSize) {
 }
 
 TEST(TestDesignTest, HalfTheNoiseHalvesWhatOnlyNoiseHides) {
-  SynthesisFile plan = testing::experiment_with({}, 5);
+  SynthesisFile plan = testing::coarse_experiment(5);
   plan.mass_uncertainty = 0.0;
   plan.instrument.force_gain_uncertainty = 1e-6;
   for (SynthesisShot& shot : plan.shots) shot.speed_uncertainty = 1e-6;
@@ -85,7 +89,7 @@ TEST(TestDesignTest, HalfTheNoiseHalvesWhatOnlyNoiseHides) {
 TEST(TestDesignTest, RefusesWhatIsNoPlan) {
   SynthesisFile plan = testing::experiment_with({{"strain-stiffening", 0.5}}, 5);
   EXPECT_THROW(design_test(plan, 1), Error);
-  plan = testing::experiment_with({}, 5);
+  plan = testing::coarse_experiment(5);
   plan.shots.resize(1);
   plan.shots[0].history = false;
   plan.shots[0].restitution_uncertainty = 0.01;
@@ -93,7 +97,7 @@ TEST(TestDesignTest, RefusesWhatIsNoPlan) {
 }
 
 TEST(TestDesignTest, RepeatedScalarsAlone) {
-  SynthesisFile plan = testing::experiment_with({}, 5);
+  SynthesisFile plan = testing::coarse_experiment(5);
   for (SynthesisShot& shot : plan.shots) {
     shot.history = false;
     shot.repeats = 4;
