@@ -46,7 +46,7 @@ std::optional<double> RefittedChange::rise(const EffectChoice& effect) const {
 std::optional<Eigen::VectorXd> RefittedChange::by(const EffectChoice& effect) const {
   constexpr int steps = 6;
   constexpr double settled = 1e-2;  // in χ²
-  const std::optional<Eigen::VectorXd> change = unfitted(effect);
+  std::optional<Eigen::VectorXd> change = unfitted(effect);
   const HypothesisFit& fit = *data_.fit;
   if (!change || fit.model->fem()) return change;
   const JointModel model(*data_.seen, fit.hypothesis);  // of this thread
