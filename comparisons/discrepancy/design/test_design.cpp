@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/discrepancy/design/chance_found.hpp"
+#include "comparisons/discrepancy/design/rise_of_chance.hpp"
 #include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
 #include "comparisons/discrepancy/design/planned_fem.hpp"

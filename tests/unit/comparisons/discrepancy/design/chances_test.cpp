@@ -3,20 +3,22 @@
 
 #include <cmath>
 
-#include "comparisons/discrepancy/design/chance_found.hpp"
 #include "comparisons/discrepancy/design/hidden_sizes.hpp"
 #include "comparisons/discrepancy/design/linear_rows.hpp"
 #include "comparisons/discrepancy/design/refitted_change.hpp"
+#include "comparisons/discrepancy/design/rise_of_chance.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
 namespace {
 
-TEST(ChanceFoundTest, TheThresholdIsFoundInHalfOfAllTests) {
-  EXPECT_NEAR(chance_found(15.0, 15.0), 0.5, 1e-12);
-  EXPECT_NEAR(chance_found(0.0, 15.0, 0.02), 0.02, 1e-12);
-  for (const double chance : {0.2, 0.5, 0.9})
-    EXPECT_NEAR(chance_found(rise_of_chance(chance, 15.0), 15.0), chance, 1e-9);
+TEST(RiseOfChanceTest, TheThresholdIsPassedInHalfOfAllTests) {
+  constexpr double threshold = 15.0;
+  EXPECT_NEAR(rise_of_chance(0.5, threshold), threshold, 1e-12);
+  for (const double chance : {0.2, 0.9}) {
+    const double surplus = std::sqrt(rise_of_chance(chance, threshold)) - std::sqrt(threshold);
+    EXPECT_NEAR(0.5 * std::erfc(-surplus / std::sqrt(2.0)), chance, 1e-9);
+  }
   EXPECT_EQ(rise_of_chance(1e-9, 4.0), 0.0);  // noise alone is found more often
 }
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/discrepancy/design/chance_found.hpp"
 #include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
 #include "comparisons/discrepancy/design/planned_pairs.hpp"
 #include "comparisons/discrepancy/design/refitted_change.hpp"
+#include "comparisons/discrepancy/design/rise_of_chance.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "lumped/problem/error.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
