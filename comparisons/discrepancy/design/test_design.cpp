@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
-#include "comparisons/discrepancy/design/rise_of_chance.hpp"
 #include "comparisons/discrepancy/design/growing_effect.hpp"
 #include "comparisons/discrepancy/design/planned_data.hpp"
 #include "comparisons/discrepancy/design/planned_fem.hpp"
 #include "comparisons/discrepancy/design/planned_pairs.hpp"
+#include "comparisons/discrepancy/design/rise_of_chance.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
