@@ -1,4 +1,4 @@
-// Impacts of a believed FE model are kept by what they were run on.
+// Impacts of a believed FE model: what they are kept by, and what their histories are counted by.
 #include <gtest/gtest.h>
 
 #include <algorithm>
