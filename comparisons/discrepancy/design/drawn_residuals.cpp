@@ -45,11 +45,6 @@ Eigen::MatrixXd units_of(Eigen::MatrixXd columns, double least = 0.0) {
   return columns;
 }
 
-/// Of what is hidden, along this way, where it is the effect's own.
-double unseen_share(const EffectWay& way, const HiddenChange* hidden) {
-  return hidden && way.name == hidden->name ? 1.0 - hidden->share_seen : 0.0;
-}
-
 }  // namespace
 
 DrawnResiduals::DrawnResiduals(const PlannedData& data, const SelectionRules& rules,
@@ -123,11 +118,17 @@ void DrawnResiduals::draw_noise(std::uint64_t seed) {
 HiddenChange DrawnResiduals::hidden(const std::string& name, const Eigen::VectorXd& change,
                                     double share_seen) const {
   const Eigen::VectorXd moved = -change, fitted = rows_.seen(moved), missed = rows_.unseen(moved);
-  HiddenChange hidden{.share_seen = share_seen};
+  HiddenChange hidden;
   hidden.name =
       static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
   hidden.seen = seen_.transpose() * moved;
-  hidden.all = all_.transpose() * moved;
+  hidden.first_seen = hidden.seen;
+  hidden.first_all = all_.transpose() * moved;
+  for (std::size_t j = 0; j < ways_.size(); ++j)
+    if (ways_[j].name == hidden.name) {
+      hidden.first_seen[static_cast<Eigen::Index>(j)] *= share_seen;
+      hidden.first_all[static_cast<Eigen::Index>(j)] *= share_seen;
+    }
   hidden.seen_cells = seen_cells_.transpose() * moved;
   hidden.all_cells = all_cells_.transpose() * moved;
   hidden.unseen = unseen_.transpose() * missed;
@@ -140,7 +141,8 @@ HiddenChange DrawnResiduals::hidden(const std::string& name, const Eigen::Vector
 
 DrawnStatistics DrawnResiduals::draw(Eigen::Index number, const HiddenChange* hidden) const {
   DrawnStatistics one{.seen = seen_draws_.col(number),
-                      .all = all_draws_.col(number),
+                      .first_seen = seen_draws_.col(number),
+                      .first_all = all_draws_.col(number),
                       .unseen = unseen_draws_.col(number),
                       .cells = seen_cell_draws_.col(number),
                       .chi_square = squares_[number],
@@ -148,7 +150,8 @@ DrawnStatistics DrawnResiduals::draw(Eigen::Index number, const HiddenChange* hi
   Eigen::VectorXd cells_of_all = all_cell_draws_.col(number);
   if (hidden) {
     one.seen += hidden->seen;
-    one.all += hidden->all;
+    one.first_seen += hidden->first_seen;
+    one.first_all += hidden->first_all;
     one.unseen += hidden->unseen;
     one.cells += hidden->seen_cells;
     cells_of_all += hidden->all_cells;
@@ -168,26 +171,12 @@ double DrawnResiduals::gain(const EffectWay& way, double statistic, double lengt
   return way.sign * -statistic < 0.0 ? 0.0 : statistic * statistic;
 }
 
-double DrawnResiduals::largest_gain(const DrawnStatistics& one, const HiddenChange* hidden) const {
+double DrawnResiduals::largest_gain(const Eigen::VectorXd& statistics,
+                                    double EffectWay::*length) const {
   double largest = 0.0;
-  for (std::size_t j = 0; j < ways_.size(); ++j) {
-    const auto way = static_cast<Eigen::Index>(j);
-    const double unseen = unseen_share(ways_[j], hidden);
-    const double z = one.seen[way] - (unseen > 0.0 ? unseen * hidden->seen[way] : 0.0);
-    largest = std::max(largest, gain(ways_[j], z, ways_[j].length));
-  }
-  return largest;
-}
-
-double DrawnResiduals::largest_gain_of_all(const DrawnStatistics& one,
-                                           const HiddenChange* hidden) const {
-  double largest = 0.0;
-  for (std::size_t j = 0; j < ways_.size(); ++j) {
-    const auto way = static_cast<Eigen::Index>(j);
-    const double unseen = unseen_share(ways_[j], hidden);
-    const double z = one.all[way] - (unseen > 0.0 ? unseen * hidden->all[way] : 0.0);
-    largest = std::max(largest, gain(ways_[j], z, ways_[j].length_of_all));
-  }
+  for (std::size_t j = 0; j < ways_.size(); ++j)
+    largest = std::max(largest,
+                       gain(ways_[j], statistics[static_cast<Eigen::Index>(j)], ways_[j].*length));
   return largest;
 }
 

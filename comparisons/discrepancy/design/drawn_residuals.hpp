@@ -34,10 +34,10 @@ struct StepLimits {
 
 /// What is hidden, as the statistics of all draws see it.
 struct HiddenChange {
-  double share_seen = 1.0;  ///< of what is hidden, by the first test along its own effect
-  std::size_t name = 0;     ///< index into the names
-  Eigen::VectorXd seen, all, seen_cells, all_cells, unseen;  ///< statistics of −Δ
-  double length = 0.0;                                       ///< |Δ| in what fits see
+  std::size_t name = 0;                                 ///< index into the names
+  Eigen::VectorXd seen, seen_cells, all_cells, unseen;  ///< statistics of −Δ
+  Eigen::VectorXd first_seen, first_all;                ///< as the first test sees them
+  double length = 0.0;                                  ///< |Δ| in what fits see
   double unseen_square = 0.0;    ///< |Δ|² of the prediction of the unseen speed
   Eigen::VectorXd along;         ///< noise along Δ [draws]
   Eigen::VectorXd unseen_along;  ///< and its product with Δ at the unseen speed [draws]
@@ -45,8 +45,9 @@ struct HiddenChange {
 
 /// Statistics of one draw.
 struct DrawnStatistics {
-  Eigen::VectorXd seen, all;  ///< residuals along every way: u·r
-  Eigen::VectorXd unseen;     ///< product of the unseen residuals with what each way does there
+  Eigen::VectorXd seen;                   ///< residuals along every way: u·r
+  Eigen::VectorXd first_seen, first_all;  ///< the same by the first test, and in all shots
+  Eigen::VectorXd unseen;  ///< product of the unseen residuals with what each way does there
   double largest_cell = 0.0, largest_cell_of_all = 0.0;
   Eigen::VectorXd cells;
   double chi_square = 0.0, unseen_chi_square = 0.0;
@@ -60,7 +61,8 @@ class DrawnResiduals {
  public:
   DrawnResiduals(const PlannedData& data, const SelectionRules& rules, std::uint64_t seed);
 
-  /// `change`: what is hidden leaves in the residuals; `share_seen`: of it, by the first test.
+  /// `change`: what is hidden leaves in the residuals; `share_seen`: of it, by the first test
+  /// along the effect's own ways.
   HiddenChange hidden(const std::string& name, const Eigen::VectorXd& change,
                       double share_seen) const;
   /// Null: nothing is hidden.
@@ -69,9 +71,8 @@ class DrawnResiduals {
 
   /// Δχ² of one effect along one way, of its switch or with the sign that it may have.
   double gain(const EffectWay& way, double statistic, double length) const;
-  /// Of the first test, to first order where the fit to the data has ended.
-  double largest_gain(const DrawnStatistics& one, const HiddenChange* hidden) const;
-  double largest_gain_of_all(const DrawnStatistics& one, const HiddenChange* hidden) const;
+  /// Of all ways, by the lengths that go with these statistics.
+  double largest_gain(const Eigen::VectorXd& statistics, double EffectWay::*length) const;
   /// Square of what one unit along a way does at the unseen speed.
   double unseen_square(Eigen::Index way) const { return unseen_.col(way).squaredNorm(); }
 

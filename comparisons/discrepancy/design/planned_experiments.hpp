@@ -33,8 +33,8 @@ struct CountedChance {
 /// whatever the number of threads.
 ///
 /// Limit: over three histories gap and name are counted as often as predicted, to 0.1 and what few
-///        experiments leave -> test PlannedExperimentsTest.WhatIsPredictedIsCounted. Of two speeds
-///        they are not: see the folder's README.
+///        experiments leave -> test PlannedExperimentsTest.WhatIsPredictedIsCounted. Where two
+///        speeds leave an effect nearly whole to the fit they are not: see the folder's README.
 /// Errors: Error(bad_input) for an effect that the design has no size of; those of synthesize();
 ///         Error(interrupted).
 std::vector<CountedChance> count_chances(const SynthesisFile& plan, const TestDesign& design,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -13,54 +12,45 @@ namespace {
 constexpr std::size_t pairs = 32;
 constexpr std::uint64_t apart = 1'000'003;  // of the seeds of experiments that are counted
 
-std::optional<PlannedData> answer_of(const SynthesisFile& file,
-                                     const std::vector<std::string>& effects) {
-  try {
-    return planned_data(file, effects);
-  } catch (const Error& error) {
-    if (error.code() != ExitCode::bad_input && error.code() != ExitCode::solver_failed) throw;
-    return std::nullopt;
-  }
-}
-
-/// Residuals along the directions of one effect, in their order; its grid follows the data.
-std::vector<double> along(const PlannedData& experiment, const std::string& name) {
-  const auto& residuals = experiment.fit->residuals;
-  const Eigen::Map<const Eigen::VectorXd> rows(residuals.data(), std::ssize(residuals));
-  std::vector<double> z;
-  for (const EffectSensitivity& one : experiment.around->all())
-    if (one.effect.name == name) z.push_back(one.sensitivity.normalized().dot(rows));
-  return z;
-}
-
 }  // namespace
 
 PlannedPairs::PlannedPairs(const SynthesisFile& plan, const PlannedData& data)
     : plan_(plan), data_(data), without_(pairs) {
-  in_parallel(pairs, [&](std::size_t k) {
-    without_[k] = answer_of(experiment(k), data.around->effects());
-  });
+  in_parallel(pairs,
+              [&](std::size_t k) { without_[k] = experiment(k, {}, data.around->effects()); });
 }
 
-SynthesisFile PlannedPairs::experiment(std::size_t number) const {
+std::optional<PlannedPairs::AlongEffects> PlannedPairs::experiment(
+    std::size_t number, const std::vector<EffectChoice>& hidden,
+    const std::vector<std::string>& effects) const try {
   SynthesisFile file = plan_;
   file.seed += apart + number;
-  return file;
+  file.effects = hidden;
+  const PlannedData data = planned_data(file, effects);
+  const Eigen::Map<const Eigen::VectorXd> residuals(data.fit->residuals.data(),
+                                                    std::ssize(data.fit->residuals));
+  AlongEffects left;
+  for (const EffectSensitivity& one : data.around->all())
+    left[one.effect.name].push_back(one.sensitivity.normalized().dot(residuals));
+  return left;
+} catch (const Error& error) {
+  if (error.code() != ExitCode::bad_input && error.code() != ExitCode::solver_failed) throw;
+  return std::nullopt;
 }
 
 std::optional<double> PlannedPairs::share_seen(const EffectChoice& effect,
                                                const Eigen::VectorXd& change) const {
-  std::vector<double> moved(along(data_, effect.name).size(), 0.0);
+  std::vector<double> moved;
   std::size_t made = 0;
   for (std::size_t k = 0; k < pairs; ++k) {
-    if (!without_[k]) continue;
-    SynthesisFile file = experiment(k);
-    file.effects = {effect};
-    const std::optional<PlannedData> with = answer_of(file, {effect.name});
-    if (!with) continue;
-    const std::vector<double> after = along(*with, effect.name);
-    const std::vector<double> before = along(*without_[k], effect.name);
-    for (std::size_t j = 0; j < std::min({moved.size(), after.size(), before.size()}); ++j)
+    if (!without_[k] || !without_[k]->contains(effect.name)) continue;
+    const std::vector<double>& before = without_[k]->at(effect.name);
+    const auto with = experiment(k, {effect}, {effect.name});
+    if (!with || !with->contains(effect.name)) continue;
+    const std::vector<double>& after = with->at(effect.name);
+    // Grids over further numbers follow the data, and may differ in length.
+    moved.resize(std::max({moved.size(), before.size(), after.size()}));
+    for (std::size_t j = 0; j < std::min(after.size(), before.size()); ++j)
       moved[j] += after[j] - before[j];
     ++made;
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/design/planned_data.hpp"
@@ -36,11 +38,15 @@ class PlannedPairs {
   std::optional<double> share_seen(const EffectChoice& effect, const Eigen::VectorXd& change) const;
 
  private:
-  SynthesisFile experiment(std::size_t number) const;
+  /// What the fit leaves along the directions of each effect, in their order.
+  using AlongEffects = std::map<std::string, std::vector<double>>;
+  std::optional<AlongEffects> experiment(std::size_t number,
+                                         const std::vector<EffectChoice>& hidden,
+                                         const std::vector<std::string>& effects) const;
 
   SynthesisFile plan_;
   const PlannedData& data_;
-  std::vector<std::optional<PlannedData>> without_;  ///< experiments with nothing hidden
+  std::vector<std::optional<AlongEffects>> without_;  ///< of experiments with nothing hidden
 };
 
 }  // namespace rebound

@@ -59,7 +59,7 @@ class Steps {
                                  const DrawnStatistics& one) const;
   void keep_within_reach(std::vector<Gained>& members) const;
   bool stands(const std::vector<Gained>& members, const DrawnStatistics& one) const;
-  bool leaves_noise(const DrawnStatistics& one, const HiddenChange* hidden) const;
+  bool leaves_noise(const DrawnStatistics& one) const;
 
   const DrawnResiduals& residuals_;
   const SelectionRules& rules_;
@@ -178,19 +178,21 @@ bool Steps::stands(const std::vector<Gained>& members, const DrawnStatistics& on
 }
 
 /// Is what the believed model leaves noise, by the tests that a diagnosis begins with?
-bool Steps::leaves_noise(const DrawnStatistics& one, const HiddenChange* hidden) const {
+bool Steps::leaves_noise(const DrawnStatistics& one) const {
   const auto is_quiet = [](double gained, double cell, const StepLimits& limits) {
     return gained <= limits.gain && cell <= limits.cell;
   };
   return one.chi_square <= most_chi_square_ &&
-         is_quiet(residuals_.largest_gain(one, hidden), one.largest_cell, residuals_.seen_limits) &&
-         (!asks_unseen_ || is_quiet(residuals_.largest_gain_of_all(one, hidden),
-                                    one.largest_cell_of_all, residuals_.all_limits));
+         is_quiet(residuals_.largest_gain(one.first_seen, &EffectWay::length), one.largest_cell,
+                  residuals_.seen_limits) &&
+         (!asks_unseen_ ||
+          is_quiet(residuals_.largest_gain(one.first_all, &EffectWay::length_of_all),
+                   one.largest_cell_of_all, residuals_.all_limits));
 }
 
 Steps::Answer Steps::answer(const HiddenChange* hidden, Eigen::Index draw) const {
   const DrawnStatistics one = residuals_.draw(draw, hidden);
-  if (leaves_noise(one, hidden)) return {};
+  if (leaves_noise(one)) return {};
   const std::vector<Gained> all_tried = tried(hidden, one);
   const std::vector<Gained> members = candidates(all_tried, one);
   const auto member = [&](std::size_t name) {
