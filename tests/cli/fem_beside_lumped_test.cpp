@@ -143,5 +143,36 @@ TEST_F(BesideFem, APullInFemIsOfTheSurface) {
   EXPECT_NEAR(found["in_fem"][0]["size"].get<double>(), 2500.0, 400.0);
 }
 
+/// Beside much noise a body of finite size and the lumped model are one ball: FE with nothing
+/// hidden comes no nearer, and is asked for effects all the same.
+TEST_F(BesideFem, APullBesideMuchNoiseIsOfTheSurface) {
+  const auto found = beside_lumped(
+      ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"40 MPa\"\npoisson_ratio = 0.3\n" +
+           branch("0.9", "0.01 ms") +
+           "[[model.effect]]\nname = \"adhesion\"\nsize = \"1500 J/m^2\"\n"
+           "range_over_radius = 0.05\n"),
+      "60 N");
+  EXPECT_EQ(found["verdict"], "family") << found["warnings"];
+  EXPECT_EQ(found["family"], "surface") << found["in_fem"];
+}
+
+/// The plate rings a dozen times in a contact, and the noise is small: nothing lumped explains the
+/// data, whatever plate it holds. FE with a plate does.
+TEST_F(BesideFem, AQuietPlateOfManyRingsIsOfTheDynamics) {
+  const auto found = beside_lumped(
+      ball("elastic = \"mooney-rivlin\"\nyoungs_modulus = \"18 MPa\"\npoisson_ratio = 0.45\n"
+           "second_share = 0.3\n" +
+           branch("1.8", "0.034 ms") +
+           "[[model.effect]]\nname = \"plate-compliance\"\nsize = \"2e-9 m/N\"\nmass = \"2.7 "
+           "kg\"\n"),
+      "8 N");
+  EXPECT_EQ(found["family"], "dynamics") << found["verdict"] << found["warnings"];
+  ASSERT_FALSE(found["in_fem"].empty());
+  EXPECT_EQ(found["in_fem"][0]["name"], "plate-compliance");
+  EXPECT_EQ(found["in_fem"][0]["tiers"]["fem"], "supported");
+  EXPECT_GT(found["in_fem"][0]["gap_before"].get<double>(), 20.0);
+  EXPECT_LT(found["in_fem"][0]["gap_after"].get<double>(), 1.5);
+}
+
 }  // namespace
 }  // namespace rebound::testing

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
 #include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/search/effect_grid.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -19,37 +19,6 @@ bool comes_near(const Diagnosis& d, const HypothesisFit& with_fem) {
   if (gained <= plainly_nearer) return false;
   if (d.selection.indistinguishable.empty()) return true;
   return gained >= worth_a_search * (d.selection.baseline.fit.chi_square - d.best().chi_square);
-}
-
-/// The plate of a fit, if it holds one that FE has too.
-const EffectChoice* plate_of(const HypothesisFit& fit, std::size_t known) {
-  for (std::size_t k = known; k < fit.effects.size(); ++k) {
-    const Effect& effect = find_effect(fit.effects[k].name);
-    if (effect.card.oscillator && effect.to_fem) return &fit.effects[k];
-  }
-  return nullptr;
-}
-
-/// Where FE may look for a plate: as the best fit with one has it, beside whatever effects, and as
-/// a single effect, at every strength; none where the single effect takes less than half of the
-/// gap.
-std::vector<EffectChoice> plates_of(const EffectSelection& found, const Observations& seen) {
-  const HypothesisFit& baseline = found.baseline.fit;
-  const std::size_t known = baseline.effects.size();
-  std::vector<EffectChoice> plates;
-  for (const AssessedFit& one : found.tried) {
-    const EffectChoice* plate = plate_of(one.fit, known);
-    if (!plate) continue;
-    if (plates.empty()) plates.push_back(*plate);
-    if (one.fit.effects.size() != known + 1) continue;
-    if (one.fit.chi_square > worth_a_search * baseline.chi_square) return {};
-    plates.push_back(*plate);
-    for (EffectChoice& stronger :
-         stronger_effects(*find_effect(plate->name).card.oscillator, *plate, seen))
-      plates.push_back(std::move(stronger));
-    return plates;
-  }
-  return {};
 }
 
 /// Does what was found beside FE take the place of what was found without?
@@ -76,7 +45,7 @@ void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypo
   const RunControl control{.interrupted = whole.interrupted};
   const auto gap = std::make_shared<const ModelDiscrepancy>(
       measure_model_discrepancy(all, *d.seen, d.selection.baseline.fit, {.file = request.mesh_file},
-                                plates_of(d.selection, *d.seen), control));
+                                plates_worth_a_search(d.selection, *d.seen), control));
   d.fem_alone = gap;
   if (whole.progress) whole.progress(fem_fit_share);
   Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
@@ -75,11 +76,19 @@ bool is_worth_having(double before, double after) {
   return before > 1.0 && before - std::max(1.0, after) >= half * (before - 1.0);
 }
 
+/// At the unseen speed half of the excess has gone, or there was none that is more than FE's
+/// errors.
+bool holds_at_the_unseen_speed(const Gap& gap) {
+  if (!gap.held_out_before) return true;
+  return is_worth_having(*gap.held_out_before, *gap.held_out_after) ||
+         std::max(*gap.held_out_before, *gap.held_out_after) <= left_by_fem;
+}
+
 bool explains(const EffectInFem& one, const FemOfAllBalls& without, const SelectionRules& rules) {
   const Gap& gap = one.gap;
   return without.information_criterion() - one.information_criterion >= rules.close_criterion &&
          is_worth_having(*gap.before, *gap.after) && *gap.after <= left_by_fem &&
-         (!gap.held_out_before || is_worth_having(*gap.held_out_before, *gap.held_out_after));
+         holds_at_the_unseen_speed(gap);
 }
 
 /// What both tiers say of an effect where nothing lumped explains the data.
@@ -105,36 +114,57 @@ bool surface_leads(const EffectSelection& selection) {
   return !selection.tried.empty() && act_on_the_surface(selection.tried.front().fit.effects);
 }
 
-/// FE without an effect comes near; or the data look like a pull, which keeps a ball of FE without
-/// one far from them.
+/// FE without an effect comes as near as the lumped model does, which beside much noise is the same
+/// ball; or the data look like a pull, which keeps a ball of FE without one far from them.
 bool is_worth_asking(const Diagnosis& d, const FemOfAllBalls& without) {
   return d.model_discrepancy != nullptr ||
-         without.chi_square <= half * d.selection.baseline.fit.chi_square ||
+         without.reduced_chi_square() <= d.selection.baseline.fit.reduced_chi_square() ||
          surface_leads(d.selection);
 }
 
-/// Each of these effects by itself, from the nearest of its starts.
-void fit_beside(Diagnosis& d, const std::vector<std::vector<EffectChoice>>& starts,
-                const FemOfBalls& balls, const FemOfAllBalls& without, const SelectionRules& rules,
-                const RunControl& control) {
-  std::vector<EffectChoice> nearest;
-  nearest.reserve(starts.size());
-  for (const std::vector<EffectChoice>& of_one : starts)
-    nearest.push_back(nearest_start(of_one, balls, without, control));
-  const auto fits = fit_each<FemOfAllBalls>(nearest.size(), control,
-                                            [&](std::size_t k) { return balls.fit({nearest[k]}); });
-  for (const auto& with : fits)
-    if (with && with->chi_square < without.chi_square)
-      d.in_fem.push_back(with_verdicts(compare_tiers(d, balls, without, *with, 0), without, rules));
-  std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
-    return a.information_criterion < b.information_criterion;
-  });
-}
+/// Effects that are fitted in FE, one at a time, against FE with nothing hidden.
+class TriedInFem {
+ public:
+  TriedInFem(Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
+             const SelectionRules& rules, const RunControl& control)
+      : d_(d), balls_(balls), without_(without), rules_(rules), control_(control) {}
 
-bool is_any_supported(const Diagnosis& d) {
-  return std::any_of(d.in_fem.begin(), d.in_fem.end(),
-                     [](const EffectInFem& one) { return one.fem == "supported"; });
-}
+  /// The plates that FE has found under its balls are an effect like any other.
+  void add_own_plates() { add(balls_.fit_on_own_plates()); }
+
+  /// Each of these by itself, from the nearest of its starts.
+  void fit_each_of(const std::vector<std::vector<EffectChoice>>& starts) {
+    std::vector<EffectChoice> nearest;
+    nearest.reserve(starts.size());
+    for (const std::vector<EffectChoice>& of_one : starts)
+      nearest.push_back(nearest_start(of_one, balls_, without_, control_));
+    const auto fits = fit_each<FemOfAllBalls>(
+        nearest.size(), control_, [&](std::size_t k) { return balls_.fit({nearest[k]}); });
+    for (const auto& with : fits)
+      if (with) add(*with);
+    std::stable_sort(d_.in_fem.begin(), d_.in_fem.end(), [](const auto& a, const auto& b) {
+      return a.information_criterion < b.information_criterion;
+    });
+  }
+
+  bool is_any_supported() const {
+    return std::any_of(d_.in_fem.begin(), d_.in_fem.end(),
+                       [](const EffectInFem& one) { return one.fem == "supported"; });
+  }
+
+ private:
+  void add(const FemOfAllBalls& with) {
+    if (with.chi_square < without_.chi_square)
+      d_.in_fem.push_back(
+          with_verdicts(compare_tiers(d_, balls_, without_, with, 0), without_, rules_));
+  }
+
+  Diagnosis& d_;
+  const FemOfBalls& balls_;
+  const FemOfAllBalls& without_;
+  const SelectionRules& rules_;
+  const RunControl& control_;
+};
 
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
   d.warnings.push_back(fmt::format(
@@ -186,11 +216,16 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   std::vector<std::vector<EffectChoice>> named, free;
   for (const std::string& name : effects_of_fem(lumped.effects))
     named.push_back(starts_of(find_effect(name).card, contact_time));
-  fit_beside(d, named, balls, without, rules, control);
-  if (!is_any_supported(d)) {
+  TriedInFem tried(d, balls, without, rules, control);
+  if (d.fem_alone->plate_moves())
+    tried.add_own_plates();
+  else if (auto plates = plates_found(d.selection, *d.seen); !plates.empty())
+    named.push_back(std::move(plates));
+  tried.fit_each_of(named);
+  if (!tried.is_any_supported()) {
     for (const std::string& name : free_forms_of_fem(lumped.effects))
       free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
-    fit_beside(d, free, balls, without, rules, control);
+    tried.fit_each_of(free);
   }
   conclude_from_fem(d, rules);
 } catch (const Error& error) {

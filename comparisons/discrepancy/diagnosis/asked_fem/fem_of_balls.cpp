@@ -1,5 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -50,14 +51,24 @@ FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all, const RunCon
                                   : with_numerical_uncertainty(*d.unseen, *d.fem_alone)) {}
 
 FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
-  FemOfAllBalls whole{.balls = d_.fem_alone->balls};
+  std::vector<FittedFem> near = d_.fem_alone->balls;
+  for (std::size_t ball = 0; ball < near.size(); ++ball)
+    near[ball] = with_effects(near[ball], effects_of_ball(effects, ball));
+  return fit_near(near);
+}
+
+FemOfAllBalls FemOfBalls::fit_on_own_plates() const {
+  return fit_near(d_.fem_alone->balls);
+}
+
+FemOfAllBalls FemOfBalls::fit_near(const std::vector<FittedFem>& near) const {
+  FemOfAllBalls whole{.balls = near};
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
     FittedFem& own = whole.balls[ball];
-    const FittedFem near = with_effects(own, effects_of_ball(effects, ball));
-    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem, near.effects,
-                        &near, control_);
+    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem,
+                        near[ball].effects, &near[ball], control_);
     whole.chi_square += own.chi_square;
     whole.samples += own.samples;
     whole.effect_unknowns += own.effect_unknowns;
@@ -92,7 +103,9 @@ std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
 
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
                           const FemOfAllBalls& with, std::size_t k) {
-  const std::vector<EffectChoice>& effects = with.balls.front().effects;
+  const auto ball = std::find_if(with.balls.begin(), with.balls.end(),
+                                 [](const FittedFem& one) { return !one.effects.empty(); });
+  const std::vector<EffectChoice>& effects = ball->effects;
   EffectInFem one{.effect = effects[k],
                   .information_criterion = with.information_criterion(),
                   .gap = {.before = without.reduced_chi_square(),

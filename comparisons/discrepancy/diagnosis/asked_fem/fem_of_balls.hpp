@@ -33,6 +33,9 @@ class FemOfBalls {
   /// Errors: as fit_fem_model().
   FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
 
+  /// On the plates that FE has found under them, where it has.
+  FemOfAllBalls fit_on_own_plates() const;
+
   /// χ² of the shots that were fitted, with these numbers of the effects in place of those of
   /// `near` and the materials as they are there; starts and scales of their own.
   double chi_square_with(const std::vector<EffectChoice>& effects, const FemOfAllBalls& near) const;
@@ -42,6 +45,8 @@ class FemOfBalls {
   std::optional<double> unseen(const FemOfAllBalls& fitted) const;
 
  private:
+  FemOfAllBalls fit_near(const std::vector<FittedFem>& near) const;
+
   const Diagnosis& d_;
   const Observations& all_;
   RunControl control_;
@@ -50,7 +55,8 @@ class FemOfBalls {
 
 /// What both tiers leave over without effect k of `with`, and with it; their verdicts stay open.
 ///
-///   without   fitted without that effect, and with all others of `with`
+///   without   fitted without that effect, and with all others of `with`, which holds it for one
+///             ball at least
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
                           const FemOfAllBalls& with, std::size_t k);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/search/selection.hpp"
+#include "comparisons/inference/calibration/observations.hpp"
+#include "comparisons/models/effects/effect.hpp"
+
+/// Plates that a lumped search has found, as FE has them: a mass on its load cell. Of one on a
+/// frame, which FE has not, the plate alone.
+namespace rebound {
+
+/// That of the best fit with a plate, beside whatever effects, and that of the best fit with a
+/// plate alone, at every strength; none where no fit holds one. Limit:  a plate on a frame gives
+/// the plate on it -> test PlatesOfLumped.OneOnAFrameIsTakenOutOfIt
+std::vector<EffectChoice> plates_found(const EffectSelection& found, const Observations& seen);
+
+/// Those, where a plate alone takes half of the gap.
+std::vector<EffectChoice> plates_worth_a_search(const EffectSelection& found,
+                                                const Observations& seen);
+
+}  // namespace rebound
