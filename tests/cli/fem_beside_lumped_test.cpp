@@ -149,9 +149,9 @@ TEST_F(BesideFem, APullBesideMuchNoiseIsOfTheSurface) {
   const auto found = beside_lumped(
       ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"40 MPa\"\npoisson_ratio = 0.3\n" +
            branch("0.9", "0.01 ms") +
-           "[[model.effect]]\nname = \"adhesion\"\nsize = \"1500 J/m^2\"\n"
+           "[[model.effect]]\nname = \"adhesion\"\nsize = \"3000 J/m^2\"\n"
            "range_over_radius = 0.05\n"),
-      "60 N");
+      "100 N");
   EXPECT_EQ(found["verdict"], "family") << found["warnings"];
   EXPECT_EQ(found["family"], "surface") << found["in_fem"];
 }

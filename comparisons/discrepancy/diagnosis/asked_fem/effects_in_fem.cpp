@@ -7,15 +7,13 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
-#include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
-
-constexpr double half = 0.5;
 
 std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present) {
   std::vector<std::string> names = absent_effects(present);
@@ -43,6 +41,7 @@ std::vector<std::string> free_forms_of_fem(const std::vector<EffectChoice>& pres
 /// Where a search for an effect may start: its usual size, and ten and a hundred times that where
 /// it may be as large; a memory fades in half a contact.
 std::vector<EffectChoice> starts_of(const EffectCard& card, double contact_time) {
+  constexpr double half = 0.5;
   EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
   for (const EffectParameterCard& one : card.parameters)
     start.parameters[one.name] = one.name == card.fades_in ? half * contact_time
@@ -69,44 +68,6 @@ EffectChoice nearest_start(const std::vector<EffectChoice>& starts, const FemOfB
     if (chi_squares[k] && (!chi_squares[nearest] || *chi_squares[k] < *chi_squares[nearest]))
       nearest = k;
   return starts[nearest];
-}
-
-/// Has half of the excess over the noise gone?
-bool is_worth_having(double before, double after) {
-  return before > 1.0 && before - std::max(1.0, after) >= half * (before - 1.0);
-}
-
-/// At the unseen speed half of the excess has gone, or there was none that is more than FE's
-/// errors.
-bool holds_at_the_unseen_speed(const Gap& gap) {
-  if (!gap.held_out_before) return true;
-  return is_worth_having(*gap.held_out_before, *gap.held_out_after) ||
-         std::max(*gap.held_out_before, *gap.held_out_after) <= left_by_fem;
-}
-
-bool explains(const EffectInFem& one, const FemOfAllBalls& without, const SelectionRules& rules) {
-  const Gap& gap = one.gap;
-  return without.information_criterion() - one.information_criterion >= rules.close_criterion &&
-         is_worth_having(*gap.before, *gap.after) && *gap.after <= left_by_fem &&
-         holds_at_the_unseen_speed(gap);
-}
-
-/// What both tiers say of an effect where nothing lumped explains the data.
-EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
-                          const SelectionRules& rules) {
-  one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
-  one.fem = explains(one, without, rules)   ? "supported"
-            : *one.gap.after <= left_by_fem ? "rejected"
-                                            : "no-fit";
-  return one;
-}
-
-/// FE with nothing hidden leaves what noise and its own errors do: nothing is missing from the
-/// physics.
-bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen) {
-  constexpr double deviations = 3.0;
-  const double most = 1.0 + deviations * std::sqrt(2.0 / static_cast<double>(without.samples));
-  return without.reduced_chi_square() <= most && unseen.value_or(0.0) <= left_by_fem;
 }
 
 /// Is the fit that comes nearest one with an effect of the surface?
@@ -166,40 +127,6 @@ class TriedInFem {
   const RunControl& control_;
 };
 
-void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
-  d.warnings.push_back(fmt::format(
-      "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
-      "hidden follows the same histories to {:.3g}, the gap that is stated",
-      *d.gap.before, without.reduced_chi_square()));
-  drop_candidates(d);
-  d.verdict = DiagnosisVerdict::agrees;
-  d.gap.before = without.reduced_chi_square();
-  d.gap.held_out_before = unseen;
-}
-
-/// What comes within reach of the best and explains the data is all of one family: that is theirs.
-void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
-  std::vector<const EffectInFem*> candidates;
-  for (const EffectInFem& one : d.in_fem)
-    if (one.fem == "supported" &&
-        one.information_criterion <= d.in_fem.front().information_criterion + rules.close_criterion)
-      candidates.push_back(&one);
-  if (candidates.empty() || candidates.front() != &d.in_fem.front()) return;
-  const EffectFamily family = candidates.front()->family;
-  if (std::any_of(candidates.begin(), candidates.end(),
-                  [&](const EffectInFem* one) { return one->family != family; }))
-    return;
-  drop_candidates(d);
-  d.verdict = DiagnosisVerdict::family;
-  d.family = family;
-  for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
-  d.withheld = fmt::format(
-      "it depends on the tier: in FE {} takes the gap from {:.3g} to {:.3g}, and no lumped form "
-      "explains the data",
-      candidates.front()->effect.name, *candidates.front()->gap.before,
-      *candidates.front()->gap.after);
-}
-
 }  // namespace
 
 void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const SelectionRules& rules,
@@ -221,7 +148,8 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
     tried.add_own_plates();
   else if (auto plates = plates_found(d.selection, *d.seen); !plates.empty())
     named.push_back(std::move(plates));
-  tried.fit_each_of(named);
+  // What rings at a frequency of its own, and leaves noise, has no rival among what does not ring.
+  if (!tried.is_any_supported()) tried.fit_each_of(named);
   if (!tried.is_any_supported()) {
     for (const std::string& name : free_forms_of_fem(lumped.effects))
       free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));

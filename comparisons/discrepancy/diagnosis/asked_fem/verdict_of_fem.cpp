@@ -1,0 +1,107 @@
+#include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
+
+namespace rebound {
+namespace {
+
+constexpr double half = 0.5;
+
+/// Share of the excess over the noise that has gone.
+double share_gone(double before, double after) {
+  return before > 1.0 ? (before - std::max(1.0, after)) / (before - 1.0) : 0.0;
+}
+
+/// Has that share gone at the unseen speed, or was there no more than FE's errors?
+bool holds_at_the_unseen_speed(const Gap& gap, double share) {
+  if (!gap.held_out_before) return true;
+  return share_gone(*gap.held_out_before, *gap.held_out_after) >= share ||
+         std::max(*gap.held_out_before, *gap.held_out_after) <= left_by_fem;
+}
+
+bool takes(const EffectInFem& one, double share) {
+  return share_gone(*one.gap.before, *one.gap.after) >= share &&
+         holds_at_the_unseen_speed(one.gap, share);
+}
+
+bool explains(const EffectInFem& one, const FemOfAllBalls& without, const SelectionRules& rules) {
+  return without.information_criterion() - one.information_criterion >= rules.close_criterion &&
+         takes(one, half) && *one.gap.after <= left_by_fem;
+}
+
+/// Those that explain the data within reach of the best; none where the best does not.
+std::vector<const EffectInFem*> supported_by_fem(const Diagnosis& d, const SelectionRules& rules) {
+  std::vector<const EffectInFem*> candidates;
+  for (const EffectInFem& one : d.in_fem)
+    if (one.fem == "supported" &&
+        one.information_criterion <= d.in_fem.front().information_criterion + rules.close_criterion)
+      candidates.push_back(&one);
+  if (candidates.empty() || candidates.front() != &d.in_fem.front()) return {};
+  return candidates;
+}
+
+/// The best, where it takes nearly all of the gap, and nothing of another family half of it: what
+/// is left is more than noise, and of whatever else it is.
+std::vector<const EffectInFem*> nearly_all_in_fem(const Diagnosis& d) {
+  constexpr double nearly_all = 0.9;
+  if (d.in_fem.empty() || !takes(d.in_fem.front(), nearly_all)) return {};
+  const EffectInFem& best = d.in_fem.front();
+  const bool has_rival = std::any_of(d.in_fem.begin(), d.in_fem.end(), [&](const EffectInFem& one) {
+    return one.family != best.family && share_gone(*one.gap.before, *one.gap.after) >= half;
+  });
+  return has_rival ? std::vector<const EffectInFem*>{} : std::vector{&best};
+}
+
+}  // namespace
+
+EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
+                          const SelectionRules& rules) {
+  one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+  one.fem = explains(one, without, rules)   ? "supported"
+            : *one.gap.after <= left_by_fem ? "rejected"
+                                            : "no-fit";
+  return one;
+}
+
+bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen) {
+  constexpr double deviations = 3.0;
+  const double most = 1.0 + deviations * std::sqrt(2.0 / static_cast<double>(without.samples));
+  return without.reduced_chi_square() <= most && unseen.value_or(0.0) <= left_by_fem;
+}
+
+void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
+  d.warnings.push_back(fmt::format(
+      "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
+      "hidden follows the same histories to {:.3g}, the gap that is stated",
+      *d.gap.before, without.reduced_chi_square()));
+  drop_candidates(d);
+  d.verdict = DiagnosisVerdict::agrees;
+  d.gap.before = without.reduced_chi_square();
+  d.gap.held_out_before = unseen;
+}
+
+void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
+  std::vector<const EffectInFem*> candidates = supported_by_fem(d, rules);
+  if (candidates.empty()) candidates = nearly_all_in_fem(d);
+  if (candidates.empty()) return;
+  const EffectFamily family = candidates.front()->family;
+  if (std::any_of(candidates.begin(), candidates.end(),
+                  [&](const EffectInFem* one) { return one->family != family; }))
+    return;
+  drop_candidates(d);
+  d.verdict = DiagnosisVerdict::family;
+  d.family = family;
+  for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
+  d.withheld = fmt::format(
+      "it depends on the tier: in FE {} takes the gap from {:.3g} to {:.3g}, and no lumped form "
+      "explains the data",
+      candidates.front()->effect.name, *candidates.front()->gap.before,
+      *candidates.front()->gap.after);
+}
+
+}  // namespace rebound

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+/// What is said where nothing lumped explains the data, and FE was asked.
+namespace rebound {
+
+/// What both tiers say of an effect. FE supports what pays, takes half of the gap, at the unseen
+/// speed too where one is seen there, and leaves what its errors may.
+EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
+                          const SelectionRules& rules);
+
+/// FE with nothing hidden leaves what noise and its own errors do: nothing is missing from the
+/// physics.
+bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen);
+
+/// The verdict is that model and data agree, with the gap that FE leaves.
+void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen);
+
+/// The family of `in_fem`, the nearest first: where all that FE supports within reach of the
+/// nearest is of it; or where the nearest takes nine tenths of the gap and nothing of another
+/// family half, so that what is left is more than noise, and little beside it. Limit:  two families
+/// that explain the data leave the verdict as it is; so does one with a rival
+///         that takes half -> test VerdictOfFem
+void conclude_from_fem(Diagnosis& d, const SelectionRules& rules);
+
+}  // namespace rebound

@@ -1,0 +1,80 @@
+#include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rebound {
+namespace {
+
+/// FE with nothing hidden leaves ten times the noise of a thousand samples.
+constexpr double left_without = 10.0;
+FemOfAllBalls nothing_hidden() {
+  FemOfAllBalls whole;
+  whole.samples = 1000;
+  whole.chi_square = left_without * 1000.0;
+  return whole;
+}
+
+struct UnseenGap {
+  double before, after;
+};
+
+EffectInFem tried(const std::string& name, double left,
+                  std::optional<UnseenGap> unseen = std::nullopt) {
+  EffectInFem one{.effect = {.name = name, .size = 0.1, .parameters = {}},
+                  .information_criterion = 1000.0 * left,
+                  .gap = {.before = left_without, .after = left}};
+  if (unseen) one.gap.held_out_before = unseen->before, one.gap.held_out_after = unseen->after;
+  one.family = find_effect(name).card.family;
+  return with_verdicts(one, nothing_hidden(), {});
+}
+
+Diagnosis concluded(std::vector<EffectInFem> in_fem) {
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::unexplained;
+  d.in_fem = std::move(in_fem);
+  conclude_from_fem(d, {});
+  return d;
+}
+
+TEST(VerdictOfFem, WhatExplainsTheDataGivesItsFamily) {
+  const Diagnosis d = concluded({tried("adhesion", 1.2), tried("permanent-set", 8.0)});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::family);
+  EXPECT_EQ(d.family, EffectFamily::surface);
+  EXPECT_EQ(d.candidates, (std::vector<std::vector<std::string>>{{"adhesion"}}));
+}
+
+TEST(VerdictOfFem, TwoFamiliesWithinReachGiveNone) {
+  EffectInFem rival = tried("permanent-set", 1.2);
+  rival.information_criterion += 5.0;
+  EXPECT_EQ(concluded({tried("adhesion", 1.2), rival}).verdict, DiagnosisVerdict::unexplained);
+  rival.information_criterion += 2.0;  // beyond reach
+  EXPECT_EQ(concluded({tried("adhesion", 1.2), rival}).family, EffectFamily::surface);
+}
+
+TEST(VerdictOfFem, NearlyAllIsEnoughWhereNoOtherFamilyTakesHalf) {
+  const double nearly = 1.8, half = 5.5;
+  EXPECT_EQ(tried("adhesion", nearly).fem, "no-fit");
+  EXPECT_EQ(concluded({tried("adhesion", nearly), tried("permanent-set", half + 0.1)}).family,
+            EffectFamily::surface);
+  EXPECT_EQ(concluded({tried("adhesion", nearly), tried("permanent-set", half - 0.1)}).verdict,
+            DiagnosisVerdict::unexplained);
+  EXPECT_EQ(concluded({tried("adhesion", 2.0)}).verdict, DiagnosisVerdict::unexplained);
+}
+
+/// A gap that is seen at the unseen speed must shrink there; where none is seen, none may come.
+TEST(VerdictOfFem, TheUnseenSpeedHasItsSay) {
+  EXPECT_EQ(tried("adhesion", 1.2, UnseenGap{4.0, 1.5}).fem, "supported");
+  EXPECT_EQ(tried("adhesion", 1.2, UnseenGap{4.0, 3.5}).fem, "rejected");
+  EXPECT_EQ(tried("adhesion", 1.2, UnseenGap{0.9, 1.0}).fem, "supported");
+  EXPECT_EQ(tried("adhesion", 1.2, UnseenGap{0.9, 1.6}).fem, "rejected");
+  EXPECT_EQ(concluded({tried("adhesion", 1.8, UnseenGap{4.0, 2.0})}).verdict,
+            DiagnosisVerdict::unexplained)
+      << "nearly all has not gone there";
+}
+
+TEST(VerdictOfFem, NothingTriedLeavesTheVerdict) {
+  EXPECT_EQ(concluded({}).verdict, DiagnosisVerdict::unexplained);
+}
+
+}  // namespace
+}  // namespace rebound
