@@ -35,6 +35,18 @@ TEST_F(FemTrials, AreSealedDiagnosedAndScoredByThemselves) {
   EXPECT_EQ(again.output, run.output);
 }
 
+/// Every shot has a start of its own, which takes a delay of all shots: by its first order alone a
+/// delay of many samples showed.
+TEST_F(FemTrials, ADelayOfAllShotsShowsNothing) {
+  const Outcome made =
+      generate({"--out", "late", "--count", "1", "--seed", "3", "--only", "delay"});
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const auto truth = nlohmann::json::parse(read_whole(folder.path() / "late/truth/0001.json"));
+  EXPECT_GT(truth["effects"][0]["size"].get<double>(), 0.05) << "of the contact: many samples";
+  EXPECT_LT(truth["visible_chi_square"].get<double>(), 25.0);
+  EXPECT_FALSE(truth["resolvable"].get<bool>());
+}
+
 TEST_F(FemTrials, WhatIsHiddenShowsAndTheDataDoNotSayIt) {
   const Outcome made =
       generate({"--out", "x", "--count", "1", "--seed", "11", "--only", "mullins-by-strain"});

@@ -42,20 +42,26 @@ Trial changed(Trial trial, Unknown which, double step) {
   return trial;
 }
 
-/// Records with nothing hidden, at the times of the data, and their change by a number of the ball.
+/// Records with nothing hidden, and their change by a number of the ball.
 class NothingHidden {
  public:
-  NothingHidden(const Trial& trial, const std::vector<Sampling>& samplings)
-      : trial_(trial), samplings_(samplings), force_(records_of(trial)) {
+  explicit NothingHidden(const Trial& trial) : trial_(trial), ball_(simulate_trial(trial, {})) {
     constexpr std::array<double, of_the_ball.size()> steps = {0.01, -0.01, 0.05, 0.05};
     for (const Unknown which : of_the_ball)
-      slopes_[which] = slopes_to(changed(trial, which, steps[which]), steps[which]);
+      add(changed(trial, which, steps[which]), which, steps[which]);
     Trial other = trial;
     std::size_t place = first_share;
     for (FemBall& ball : sound_balls_near(trial.fem, trial.scales.contact_time)) {
       other.fem = std::move(ball);
-      slopes_.at(place++) = slopes_to(other, 1.0);
+      add(other, place++, 1.0);
     }
+  }
+
+  /// At these times, which are those of the data on the clock of each shot.
+  void record(const std::vector<Sampling>& samplings) {
+    samplings_ = samplings;
+    force_ = records_of(ball_);
+    for (const OtherBall& other : others_) slopes_[other.place] = slopes_to(other);
   }
 
   const std::vector<double>& force(std::size_t shot) const { return force_[shot]; }
@@ -79,24 +85,35 @@ class NothingHidden {
   }
 
  private:
-  Records records_of(const Trial& trial) const {
-    const NoiseFree free = simulate_trial(trial, {});
+  struct OtherBall {
+    NoiseFree impacts;
+    std::size_t place;  ///< of the unknown in which it differs
+    double step;
+  };
+
+  void add(const Trial& other, std::size_t place, double step) {
+    others_.push_back({simulate_trial(other, {}), place, step});
+  }
+
+  Records records_of(const NoiseFree& free) const {
     Records records;
     for (std::size_t j = 0; j < free.impacts.size(); ++j)
       records.push_back(recorded(free, j, samplings_[j]));
     return records;
   }
 
-  Records slopes_to(const Trial& other, double step) const {
-    Records records = records_of(other);
+  Records slopes_to(const OtherBall& other) const {
+    Records records = records_of(other.impacts);
     for (std::size_t j = 0; j < records.size(); ++j)
       for (std::size_t i = 0; i < records[j].size(); ++i)
-        records[j][i] = (records[j][i] - force_[j][i]) / step;
+        records[j][i] = (records[j][i] - force_[j][i]) / other.step;
     return records;
   }
 
   const Trial& trial_;
-  const std::vector<Sampling>& samplings_;
+  NoiseFree ball_;
+  std::vector<OtherBall> others_;
+  std::vector<Sampling> samplings_;
   Records force_;
   std::array<Records, gain> slopes_;  ///< by the unknowns of the ball
 };
@@ -119,10 +136,14 @@ class LinearProblem {
     rows_.push_back({std::move(places), std::move(slopes), residual});
   }
 
-  /// Σ r² at its least.
-  double least() const {
+  /// The unknowns where Σ r² is least.
+  std::vector<double> solution() const {
     constexpr double relaxed = 1e-9;
-    const std::vector<double> step = equations_.step(relaxed);
+    return equations_.step(relaxed);
+  }
+
+  /// Σ r² there.
+  double left_at(const std::vector<double>& step) const {
     double sum = 0.0;
     for (const auto& [places, slopes, residual] : rows_) {
       double left = residual;
@@ -142,12 +163,9 @@ class LinearProblem {
   std::vector<KeptRow> rows_;
 };
 
-}  // namespace
-
-double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
-  if (effects.empty()) return 0.0;
-  const NoiseFree free = simulate_trial(trial, effects);
-  const NothingHidden nothing(trial, free.samplings);
+/// What a trial shows beside a ball with nothing hidden, whose numbers are unknowns.
+LinearProblem problem_of(const Trial& trial, const std::vector<std::vector<double>>& hidden,
+                         const NothingHidden& nothing) {
   const LinearPrediction prediction(trial.noise);
   const double gain_uncertainty =
       std::hypot(trial.gain_uncertainty, trial.mass.uncertainty / trial.ball.mass);
@@ -155,10 +173,9 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
   std::vector<int> shared(first_of_shot);
   std::iota(shared.begin(), shared.end(), 0);
   for (std::size_t j = 0; j < trial.shots.size(); ++j) {
-    std::vector<double> hidden = recorded(free, j, free.samplings[j]);
-    digitise(free.world.chain, hidden);
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < hidden.size(); ++i) rows.push_back(nothing.row(j, i, hidden[i]));
+    for (std::size_t i = 0; i < hidden[j].size(); ++i)
+      rows.push_back(nothing.row(j, i, hidden[j][i]));
     prediction.whiten(rows);
     const double weight = weight_beside_mesh(trial.noise, nothing.force(j));
     for (Row& row : rows)
@@ -173,7 +190,46 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
     problem.add({static_cast<int>(first_share + k)}, {1.0}, 0.0);
   problem.add({gain}, {1.0 / gain_uncertainty}, 0.0);
   problem.add({offset}, {1.0 / trial.noise.deviation}, 0.0);
-  return problem.least();
+  return problem;
+}
+
+/// Moves the starts of shots to where a solution has them; false where none moves by more than this
+/// many samples.
+bool move_starts(const std::vector<double>& solution, double samples,
+                 std::vector<Sampling>& samplings) {
+  bool moved = false;
+  for (std::size_t j = 0; j < samplings.size(); ++j)
+    if (const double start = solution[first_of_shot + 2 * j];
+        std::abs(start) * samplings[j].rate > samples) {
+      samplings[j].first_time -= start;
+      moved = true;
+    }
+  return moved;
+}
+
+}  // namespace
+
+double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
+  if (effects.empty()) return 0.0;
+  const NoiseFree free = simulate_trial(trial, effects);
+  std::vector<std::vector<double>> hidden;
+  for (std::size_t j = 0; j < trial.shots.size(); ++j) {
+    hidden.push_back(recorded(free, j, free.samplings[j]));
+    digitise(free.world.chain, hidden.back());
+  }
+  NothingHidden nothing(trial);
+  std::vector<Sampling> samplings = free.samplings;
+  constexpr int most_rounds = 12;
+  constexpr double plainly_moved = 2.0, settled = 0.05;  // samples: the first order holds within
+  double left = 0.0;
+  for (int round = 0; round < most_rounds; ++round) {
+    nothing.record(samplings);
+    const LinearProblem problem = problem_of(trial, hidden, nothing);
+    const std::vector<double> solution = problem.solution();
+    left = problem.left_at(solution);
+    if (!move_starts(solution, round == 0 ? plainly_moved : settled, samplings)) break;
+  }
+  return left;
 }
 
 }  // namespace trials

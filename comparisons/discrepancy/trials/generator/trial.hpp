@@ -136,8 +136,10 @@ Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
 /// The same in finite elements, to first order: a ball with nothing hidden takes what it can by its
-/// modulus, its Poisson ratio and the ratio of its branches, beside gain, offset, starts and
-/// speeds. Errors: NoRebound.
+/// modulus, its Poisson ratio and the ratio of its branches, beside gain, offset and speeds; starts
+/// of shots are followed. Errors: NoRebound.
+/// Limit:  a delay of all shots shows nothing -> test
+/// FemVisibilityTest.ADelayOfAllShotsShowsNothing
 double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
 /// The noise-free reading of one shot, before clipping and rounding.
