@@ -140,21 +140,20 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   if (is_the_noise(without, unseen)) return let_fem_stand(d, without, unseen);
   const HypothesisFit& lumped = d.selection.baseline.fit;
   const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
-  std::vector<std::vector<EffectChoice>> named, free;
+  std::vector<std::vector<EffectChoice>> named, plates, free;
   for (const std::string& name : effects_of_fem(lumped.effects))
     named.push_back(starts_of(find_effect(name).card, contact_time));
+  for (const std::string& name : free_forms_of_fem(lumped.effects))
+    free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
   TriedInFem tried(d, balls, without, rules, control);
   if (d.fem_alone->plate_moves())
     tried.add_own_plates();
-  else if (auto plates = plates_found(d.selection, *d.seen); !plates.empty())
-    named.push_back(std::move(plates));
-  // What rings at a frequency of its own, and leaves noise, has no rival among what does not ring.
-  if (!tried.is_any_supported()) tried.fit_each_of(named);
-  if (!tried.is_any_supported()) {
-    for (const std::string& name : free_forms_of_fem(lumped.effects))
-      free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
-    tried.fit_each_of(free);
-  }
+  else if (auto found = plates_found(d.selection, *d.seen); !found.empty())
+    plates.push_back(std::move(found));
+  // What rings at a frequency of its own, and leaves noise, has no rival among what does not ring,
+  // nor the other way about: plates, whose search takes longest, come after the named effects.
+  for (const auto* starts : {&named, &plates, &free})
+    if (!tried.is_any_supported()) tried.fit_each_of(*starts);
   conclude_from_fem(d, rules);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
