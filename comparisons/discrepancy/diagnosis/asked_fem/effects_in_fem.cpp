@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
