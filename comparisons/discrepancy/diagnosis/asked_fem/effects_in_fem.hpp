@@ -13,8 +13,9 @@ namespace rebound {
 /// Where FE with nothing hidden leaves no more than noise, nothing is missing from the physics: the
 /// data agree, with the gap that FE leaves, and a warning says what the lumped model leaves.
 ///
-/// Limit:  a pull beside much noise, and a plate of many rings, have their families
-///         -> test BesideFem.APullBesideMuchNoiseIsOfTheSurface,
+/// Limit:  softening, a pull beside much noise and a plate of many rings have their families
+///         -> test BesideFem.SofteningInFemIsOfItsFamily,
+///         BesideFem.APullBesideMuchNoiseIsOfTheSurface,
 ///         BesideFem.AQuietPlateOfManyRingsIsOfTheDynamics.
 /// Errors: Error(interrupted). Where FE has no answer the verdict stands as it was, with a warning.
 void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const SelectionRules& rules,
