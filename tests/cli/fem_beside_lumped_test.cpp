@@ -67,6 +67,11 @@ TEST_F(BesideFem, ImpactsOfFemLackNothing) {
     EXPECT_FALSE(found["fem_cells"].is_null());
     EXPECT_LT(found["gap"]["before"].get<double>(), 1.2);
     EXPECT_LT(found["gap"]["held_out_before"].get<double>(), 1.3);
+    ASSERT_FALSE(found["law_alone"].is_null());
+    EXPECT_GT(found["law_alone"]["gap"], found["gap"]["before"]);
+    EXPECT_GT(found["law_alone"]["held_out"], found["gap"]["held_out_before"]);
+    EXPECT_EQ(found["fem_balls"].size(), 1u);
+    EXPECT_NE(page().find("The lumped law alone leaves"), std::string::npos);
   }
 }
 

@@ -95,6 +95,9 @@ struct Diagnosis {
   std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was asked of no effect
   /// Of FE with nothing hidden, where nothing lumped explains the data; `before` alone.
   std::optional<Gap> fem_with_nothing_hidden;
+  /// What the believed lumped law leaves by itself, where `gap` is with what a body of finite size
+  /// adds to it; `before` and `held_out_before` alone.
+  std::optional<Gap> law_alone;
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
@@ -113,6 +116,8 @@ struct Diagnosis {
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
   /// The same wherever FE was asked, with the balls as FE alone would have them.
   std::shared_ptr<const ModelDiscrepancy> fem_alone;
+  /// Of the search beside FE, where it explains nothing: starts of a search in FE.
+  std::vector<EffectChoice> plates_beside_fem;
   std::optional<HeldOutGap> unseen_before, unseen_after;
   /// What the model that the search started from lacks, without a formula; absent where nothing
   /// is missing from it.
@@ -122,6 +127,8 @@ struct Diagnosis {
   double speed_of(const MapCell& cell) const {
     return cell.shot < seen->shots.size() ? seen->shots[cell.shot].impact.speed : 0.0;
   }
+  /// Is the residual map, and are the residuals of shots, those of the law alone?
+  bool maps_the_law_alone() const { return law_alone && !model_discrepancy; }
   /// Has the search, or the repair of a formula, added to the believed model?
   bool extended() const { return best().effects.size() > believed_effects; }
   /// The fit that the verdict rests on: the best candidate, or what the search

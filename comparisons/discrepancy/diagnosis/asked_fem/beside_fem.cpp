@@ -4,6 +4,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -57,6 +58,9 @@ void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypo
       select_effects(*seen, fit_hypothesis(*seen, baseline, control),
                      absent_effects(baseline.effects), request.rules, request.seed, control);
   if (!takes_its_place(d, selection, *seen, request.rules, control)) return;
+  d.law_alone = Gap{.before = d.believed.fit.reduced_chi_square()};
+  if (d.held_out_speed)
+    d.law_alone->held_out_before = predict_unseen(*d.unseen, d.believed.fit).reduced_chi_square;
   d.believed = assess_believed(*seen, believed_with_gap, request.rules, request.seed, control);
   d.selection = std::move(selection);
   d.model_discrepancy = gap;

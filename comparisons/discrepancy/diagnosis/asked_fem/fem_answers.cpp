@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
+#include "fem/interface/elastic_models.hpp"
 
 namespace rebound {
 namespace {
@@ -79,6 +82,31 @@ std::string fem_sentence(const Diagnosis& d) {
                "and FE was asked of no effect."
              : "FE was asked what a body of finite size does by itself; that does not explain the "
                "data as well, and FE was asked of no effect.";
+}
+
+std::string fem_ball_in_words(const FittedFem& ball) {
+  const Material& material = ball.material;
+  std::string text = fmt::format("{}, E {:.3g} MPa, ν {:.3g}", name_of(material.elastic),
+                                 1e-6 * material.youngs_modulus, material.poisson_ratio);
+  for (const PronyBranch& branch : material.branches)
+    text += fmt::format(", branch{} {:.3g} in {}",
+                        branch.relaxes == Relaxes::deviator ? " of the deviator" : "", branch.ratio,
+                        in_said_unit(branch.relaxation_time, "s"));
+  for (const EffectChoice& effect : ball.effects)
+    text +=
+        fmt::format(", {} {}", effect.name, size_text(find_effect(effect.name).card, effect.size));
+  return text;
+}
+
+std::vector<std::string> fem_balls_in_words(const Diagnosis& d) {
+  std::vector<std::string> sentences;
+  if (!d.fem_alone) return sentences;
+  const std::vector<FittedFem>& balls = d.fem_alone->balls;
+  for (std::size_t ball = 0; ball < balls.size(); ++ball)
+    if (balls[ball].samples > 0)
+      sentences.push_back((balls.size() > 1 ? d.seen->balls[ball].name + ": " : "") +
+                          fem_ball_in_words(balls[ball]));
+  return sentences;
 }
 
 std::string tiers_together(const EffectInFem& one) {

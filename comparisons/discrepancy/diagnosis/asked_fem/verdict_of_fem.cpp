@@ -75,11 +75,8 @@ bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& uns
 }
 
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
-  d.warnings.push_back(fmt::format(
-      "the believed lumped model leaves a gap of {:.3g}, which no effect explains; FE with nothing "
-      "hidden follows the same histories to {:.3g}, the gap that is stated",
-      *d.gap.before, without.reduced_chi_square()));
   drop_candidates(d);
+  d.law_alone = Gap{.before = d.gap.before, .held_out_before = d.gap.held_out_before};
   d.verdict = DiagnosisVerdict::agrees;
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;

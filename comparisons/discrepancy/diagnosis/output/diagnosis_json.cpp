@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -82,6 +83,13 @@ Json nothing_hidden_json(const Diagnosis& d) {
   if (!d.fem_with_nothing_hidden) return nullptr;
   return {{"gap", number_or_null(d.fem_with_nothing_hidden->before)},
           {"held_out", number_or_null(d.fem_with_nothing_hidden->held_out_before)}};
+}
+
+Json law_alone_json(const Diagnosis& d) {
+  if (!d.law_alone) return nullptr;
+  return {{"gap", number_or_null(d.law_alone->before)},
+          {"held_out", number_or_null(d.law_alone->held_out_before)},
+          {"where", d.maps_the_law_alone()}};
 }
 
 Json next_json(const NextExperiment& one) {
@@ -194,6 +202,8 @@ Json to_json(const Diagnosis& d) {
       {"nearest_formulas", list_of(d.nearest, nearest_json)},
       {"in_fem", list_of(d.in_fem, in_fem_json)},
       {"fem_with_nothing_hidden", nothing_hidden_json(d)},
+      {"law_alone", law_alone_json(d)},
+      {"fem_balls", fem_balls_in_words(d)},
       {"withheld", d.withheld.empty() ? Json(nullptr) : Json(d.withheld)},
       {"missing_force", missing_force_json(d)},
       {"contradictions", list_of(d.contradictions, check_json)},

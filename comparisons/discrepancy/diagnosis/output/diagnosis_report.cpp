@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,12 @@ std::string gap_sentence(const Diagnosis& d) {
   if (d.held_out_speed && d.gap.held_out_before)
     text += fmt::format("; at {:g} m/s, which no fit saw, {}", *d.held_out_speed,
                         step(d.gap.held_out_before, d.gap.held_out_after));
+  if (d.law_alone) {
+    text += fmt::format(". The lumped law without what a body of finite size adds leaves {:.3g}",
+                        *d.law_alone->before);
+    if (d.law_alone->held_out_before)
+      text += fmt::format(", at that speed {:.3g}", *d.law_alone->held_out_before);
+  }
   return text + fmt::format(". Noise from: {}.", d.seen->noise_from);
 }
 
@@ -55,6 +62,10 @@ report::Section where_section(const Diagnosis& d) {
                     "of the difference, all stated uncertainties in it.",
                     d.contradictions));
   if (d.gap.before) {
+    if (d.maps_the_law_alone())
+      section.blocks.push_back(report::Paragraph{
+          "Pictures and numbers of this section are those of the lumped law alone, without what a "
+          "body of finite size adds to it."});
     section.blocks.push_back(map_matrix(d));
     ShotFigures figures = shot_figures(d);
     for (report::Figure& figure : figures.residuals) section.blocks.push_back(std::move(figure));
@@ -131,6 +142,10 @@ report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
   if (!error_rates.sentence.empty()) page.lead.push_back(report::Paragraph{error_rates.sentence});
   if (const std::string text = fem_sentence(d); !text.empty())
     page.lead.push_back(report::Paragraph{text});
+  if (const std::vector<std::string> balls = fem_balls_in_words(d); !balls.empty())
+    page.lead.push_back(report::Paragraph{
+        fmt::format("FE's own ball with nothing hidden: {}. E is long-term, branches are over it.",
+                    fmt::join(balls, "; "))});
   if (!d.in_fem.empty()) page.lead.push_back(tiers_table(d));
   if (d.gap.before)
     if (report::Figure gaps = gap_figure(d); !gaps.series.empty())

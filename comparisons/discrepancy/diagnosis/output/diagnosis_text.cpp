@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/search/limits_of_memory.hpp"
 #include "comparisons/io/text.hpp"
 #include "comparisons/io/toml/units.hpp"
@@ -19,8 +20,8 @@ std::string text_of(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "not computed";
 }
 
-/// A number in the prefix in which it has one to three digits before the point; units that take
-/// none, as powers and products, stay as they are.
+}  // namespace
+
 std::string in_said_unit(double value, const std::string& unit) {
   struct Prefix {
     double factor;
@@ -36,8 +37,6 @@ std::string in_said_unit(double value, const std::string& unit) {
       return fmt::format("{:.3g} {}{}", value / prefix.factor, prefix.name, unit);
   return fmt::format("{:.3g} {}", value, unit);
 }
-
-}  // namespace
 
 std::vector<FoundNumber> numbers_of(const Diagnosis& d, const NamedEffect& effect) {
   const EffectCard& card = find_effect(effect.effect.name).card;
@@ -110,7 +109,13 @@ std::string headline(const Diagnosis& d) {
     return text;
   };
   switch (d.verdict) {
-    case DiagnosisVerdict::agrees: return "Model and data agree within the noise.";
+    case DiagnosisVerdict::agrees:
+      return d.law_alone ? fmt::format(
+                               "The data follow a ball of finite size with nothing hidden in it. "
+                               "The lumped law alone leaves {:.3g} standard deviations: its own "
+                               "error, and no effect.",
+                               std::sqrt(*d.law_alone->before))
+                         : "Model and data agree within the noise.";
     case DiagnosisVerdict::missing: return "Missing from the model: " + sized() + ".";
     case DiagnosisVerdict::measurement_fault:
       return "A fault of the measurement is suspected: " + d.fault + ".";
@@ -177,6 +182,10 @@ std::string to_text(const Diagnosis& d) {
   if (d.held_out_speed)
     text += fmt::format("unseen    {:g} m/s: {} -> {}\n", *d.held_out_speed,
                         text_of(d.gap.held_out_before), text_of(d.gap.held_out_after));
+  if (d.law_alone)
+    text += fmt::format("law alone {}, unseen {}: without what a body of finite size adds\n",
+                        text_of(d.law_alone->before), text_of(d.law_alone->held_out_before));
+  for (const std::string& ball : fem_balls_in_words(d)) text += fmt::format("FE ball   {}\n", ball);
   for (const ExplainedShare& one : d.nearest)
     text += fmt::format("nearest   {} explains {:.0f} % of the gap by itself\n",
                         one.effects.front(), 100.0 * one.share);
@@ -199,8 +208,9 @@ std::string to_text(const Diagnosis& d) {
   }
   for (const auto& cell : d.where) {
     if (&cell - d.where.data() >= 5) break;
-    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}\n", d.speed_of(cell),
-                        name_of(cell.phase), name_of(cell.what), cell.z);
+    text += fmt::format("where     {:g} m/s, {}, {}: z = {:+.1f}{}\n", d.speed_of(cell),
+                        name_of(cell.phase), name_of(cell.what), cell.z,
+                        d.maps_the_law_alone() ? " of the law alone" : "");
   }
   if (d.missing_force) text += fmt::format("force     {}\n", missing_force_sentence(d));
   if (!d.withheld.empty()) text += fmt::format("withheld  {}\n", d.withheld);

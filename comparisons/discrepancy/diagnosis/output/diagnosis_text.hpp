@@ -13,6 +13,10 @@ std::string to_text(const Diagnosis& diagnosis);
 /// What the missing force looks like, in a sentence or two; empty where there is none.
 std::string missing_force_sentence(const Diagnosis& diagnosis);
 
+/// A number in the prefix of its unit in which it has one to three digits before the point: "35.5
+/// µs"; units that take none, as powers and products, stay as they are.
+std::string in_said_unit(double value, const std::string& unit);
+
 /// A size of an effect with its unit; one that cannot exceed 1 is a share, in per cent.
 std::string size_text(const EffectCard& card, double size);
 

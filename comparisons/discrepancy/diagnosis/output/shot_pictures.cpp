@@ -95,7 +95,10 @@ report::Figure gap_figure(const Diagnosis& d) {
       .title = "The gap at each speed, before and after",
       .caption =
           "Mean squared residual in variances of the noise: 1 is nothing missing, the band "
-          "holds nineteen in twenty such shots. A point a shot.",
+          "holds nineteen in twenty such shots. A point a shot." +
+          std::string(d.maps_the_law_alone() ? " Of the lumped law alone, without what a body of "
+                                               "finite size adds."
+                                             : ""),
       .x = {"approach speed", "m/s"},
       .y = {"reduced χ²", "1"}};
   Series noise = points_of("noise", Origin::derived);

@@ -53,7 +53,7 @@ std::optional<double> visible(const Trial& trial, const HiddenEffect& effect) {
 /// Draws a size, then moves it towards a χ² drawn between barely visible and clear, within the
 /// range of the form. χ² grows about as the square of the size.
 void draw_size(const Trial& trial, HiddenEffect& effect, Random& random) {
-  const int most_corrections = in_fem(trial.request) ? 3 : 6;
+  const int most_corrections = in_fem(trial.request) ? 2 : 6;
   const double barely = 10.0, clear = 1e4;
   const EffectForm& form = *effect.form;
   const double wanted = random.log_uniform(barely, clear);

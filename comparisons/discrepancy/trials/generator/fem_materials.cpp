@@ -55,27 +55,35 @@ FemBall draw_material(double modulus, double contact_time, const FemBall& kind, 
   return ball;
 }
 
-std::vector<FemBall> sound_balls_near(const FemBall& ball, double contact_time) {
+FemBall with_more_branches(FemBall ball, double contact_time, const MoreBranches& more) {
   constexpr double half = 0.5, most_slow = 0.6, most_of_deviator = 1.5;
-  std::vector<FemBall> near(2, ball);
-  if (ball.branches.size() > 1)
-    near[0].branches[1].ratio += half * most_slow;
-  else
-    near[0].branches.push_back({.ratio = half * most_slow, .time = second_time * contact_time});
-  const FemBranch& first = ball.branches.front();
-  near[1].branches.push_back({.ratio = half * most_of_deviator,
-                              .time = first.time,
-                              .deviator_alone = !first.deviator_alone});
-  for (const FemBall& other : fem_materials()) {
-    if (std::any_of(near.begin(), near.end(),
-                    [&](const FemBall& known) { return known.elastic == other.elastic; }))
-      continue;
-    near.push_back(ball);
-    near.back().elastic = other.elastic;
-    near.back().second_share = other.second_share;
-    near.back().terms = other.terms;
+  const FemBranch first = ball.branches.front();
+  const auto add = [&](FemBranch branch, double ratio) {
+    branch.ratio = std::max(0.0, branch.ratio + ratio);
+    if (branch.ratio > 0.0) ball.branches.push_back(branch);
+  };
+  FemBranch slow{.ratio = 0.0, .time = second_time * contact_time};
+  if (ball.branches.size() > 1) {
+    slow = ball.branches.back();
+    ball.branches.pop_back();
   }
-  return near;
+  add(slow, more.slow * half * most_slow);
+  add({.ratio = 0.0, .time = first.time, .deviator_alone = !first.deviator_alone},
+      more.of_other_kind * half * most_of_deviator);
+  return ball;
+}
+
+std::vector<FemBall> other_laws_of(const FemBall& ball) {
+  std::vector<FemBall> others;
+  for (const FemBall& kind : fem_materials()) {
+    const auto is_known = [&](const FemBall& known) { return known.elastic == kind.elastic; };
+    if (is_known(ball) || std::any_of(others.begin(), others.end(), is_known)) continue;
+    others.push_back(ball);
+    others.back().elastic = kind.elastic;
+    others.back().second_share = kind.second_share;
+    others.back().terms = kind.terms;
+  }
+  return others;
 }
 
 }  // namespace trials

@@ -18,8 +18,17 @@ const std::vector<FemBall>& fem_materials();
 ///   contact_time  about that of the middle speed [s]
 FemBall draw_material(double modulus, double contact_time, const FemBall& kind, Random& random);
 
-/// How else a ball near this one may be made with nothing hidden, one change each: a slower branch
-/// more, a branch of the other kind more (of the deviator, or of all stress), each other law.
-std::vector<FemBall> sound_balls_near(const FemBall& ball, double contact_time);
+/// Branches that a ball with nothing hidden may have beside its own, as shares of half of the
+/// largest that are drawn.
+struct MoreBranches {
+  double slow = 0.0;
+  double of_other_kind = 0.0;  ///< of the deviator, where the first is of all stress; else of that
+};
+
+/// The ball with them; a ratio does not go below zero.
+FemBall with_more_branches(FemBall ball, double contact_time, const MoreBranches& more);
+
+/// The ball of each other elastic law of fem_materials().
+std::vector<FemBall> other_laws_of(const FemBall& ball);
 
 }  // namespace trials

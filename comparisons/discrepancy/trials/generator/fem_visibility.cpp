@@ -1,129 +1,22 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
 #include "comparisons/discrepancy/trials/generator/linear_prediction.hpp"
 #include "comparisons/discrepancy/trials/generator/normal_equations.hpp"
-#include "comparisons/discrepancy/trials/generator/trial.hpp"
+#include "comparisons/discrepancy/trials/generator/sound_ball.hpp"
 
 namespace trials {
 namespace {
 
-/// Numbers of the ball, and shares of what makes it another sound one (sound_balls_near).
-constexpr std::size_t other_balls = 5;
-/// Places of the unknowns; those of shot j follow from first_of_shot + 2 j.
-enum Unknown : std::size_t {
-  log_modulus,
-  poisson_ratio,
-  branches,
-  log_times,
-  first_share,
-  gain = first_share + other_balls,
-  offset,
-  first_of_shot
-};
-constexpr std::array of_the_ball = {log_modulus, poisson_ratio, branches, log_times};
-
-/// Slopes by the shared unknowns and the shot's two; the residual last.
-using Row = std::array<double, first_of_shot + 3>;
 using Records = std::vector<std::vector<double>>;  ///< shot by shot
 
-/// The ball with nothing hidden, one of its numbers changed by `step`.
-Trial changed(Trial trial, Unknown which, double step) {
-  FemBall& ball = trial.fem;
-  if (which == log_modulus) ball.modulus *= std::exp(step);
-  if (which == poisson_ratio) ball.poisson_ratio += step;
-  if (which == branches)
-    for (FemBranch& branch : ball.branches) branch.ratio *= 1.0 + step;
-  if (which == log_times)
-    for (FemBranch& branch : ball.branches) branch.time *= std::exp(step);
-  return trial;
-}
-
-/// Records with nothing hidden, and their change by a number of the ball.
-class NothingHidden {
- public:
-  explicit NothingHidden(const Trial& trial) : trial_(trial), ball_(simulate_trial(trial, {})) {
-    constexpr std::array<double, of_the_ball.size()> steps = {0.01, -0.01, 0.05, 0.05};
-    for (const Unknown which : of_the_ball)
-      add(changed(trial, which, steps[which]), which, steps[which]);
-    Trial other = trial;
-    std::size_t place = first_share;
-    for (FemBall& ball : sound_balls_near(trial.fem, trial.scales.contact_time)) {
-      other.fem = std::move(ball);
-      add(other, place++, 1.0);
-    }
-  }
-
-  /// At these times, which are those of the data on the clock of each shot.
-  void record(const std::vector<Sampling>& samplings) {
-    samplings_ = samplings;
-    force_ = records_of(ball_);
-    for (const OtherBall& other : others_) slopes_[other.place] = slopes_to(other);
-  }
-
-  const std::vector<double>& force(std::size_t shot) const { return force_[shot]; }
-
-  Row row(std::size_t shot, std::size_t i, double hidden) const {
-    const std::vector<double>& force = force_[shot];
-    const Sampling& sampling = samplings_[shot];
-    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, force.size() - 1);
-    const double slope =
-        (force[after] - force[before]) * sampling.rate / static_cast<double>(after - before);
-    const double time = sampling.first_time + static_cast<double>(i) / sampling.rate;
-    Row row;
-    for (std::size_t k = 0; k < slopes_.size(); ++k) row[k] = slopes_[k][shot][i];
-    row[gain] = force[i] / trial_.true_gain;
-    row[offset] = 1.0;
-    row[first_of_shot] = -slope;
-    // By the logarithm of the speed as a Hertzian impact changes: F as v^1.2, time as v^-0.2.
-    row[first_of_shot + 1] = 1.2 * force[i] + 0.2 * time * slope;
-    row.back() = force[i] - hidden;
-    return row;
-  }
-
- private:
-  struct OtherBall {
-    NoiseFree impacts;
-    std::size_t place;  ///< of the unknown in which it differs
-    double step;
-  };
-
-  void add(const Trial& other, std::size_t place, double step) {
-    others_.push_back({simulate_trial(other, {}), place, step});
-  }
-
-  Records records_of(const NoiseFree& free) const {
-    Records records;
-    for (std::size_t j = 0; j < free.impacts.size(); ++j)
-      records.push_back(recorded(free, j, samplings_[j]));
-    return records;
-  }
-
-  Records slopes_to(const OtherBall& other) const {
-    Records records = records_of(other.impacts);
-    for (std::size_t j = 0; j < records.size(); ++j)
-      for (std::size_t i = 0; i < records[j].size(); ++i)
-        records[j][i] = (records[j][i] - force_[j][i]) / other.step;
-    return records;
-  }
-
-  const Trial& trial_;
-  NoiseFree ball_;
-  std::vector<OtherBall> others_;
-  std::vector<Sampling> samplings_;
-  Records force_;
-  std::array<Records, gain> slopes_;  ///< by the unknowns of the ball
-};
-
-/// σ over √(σ² + e²), e what the cells of these records get wrong: nobody sees what is smaller,
-/// however quiet the record.
-double weight_beside_mesh(const Noise& noise, const std::vector<double>& force) {
-  constexpr double error_of_mesh = 0.005;  // rms over the peak: half the edge changes so much
-  const double peak = *std::max_element(force.begin(), force.end());
-  return noise.deviation / std::hypot(noise.deviation, error_of_mesh * peak);
+/// What the cells of a record get wrong [N]: nobody sees what is smaller, however quiet or slow the
+/// noise. It is white, as nodes that touch one by one are.
+double error_of_mesh(const std::vector<double>& force) {
+  constexpr double share = 0.005;  // rms over the peak: half the edge changes so much
+  return share * *std::max_element(force.begin(), force.end());
 }
 
 /// Rows of a linear problem, kept so that what is left over can be summed.
@@ -136,10 +29,12 @@ class LinearProblem {
     rows_.push_back({std::move(places), std::move(slopes), residual});
   }
 
-  /// The unknowns where Σ r² is least.
-  std::vector<double> solution() const {
+  /// The unknowns where Σ r² is least, the first `pinned` of them staying at zero.
+  std::vector<double> solution(std::size_t pinned = 0) const {
     constexpr double relaxed = 1e-9;
-    return equations_.step(relaxed);
+    NormalEquations equations = equations_;
+    for (std::size_t k = 0; k < pinned; ++k) equations.pin(k);
+    return equations.step(relaxed);
   }
 
   /// Σ r² there.
@@ -164,72 +59,159 @@ class LinearProblem {
 };
 
 /// What a trial shows beside a ball with nothing hidden, whose numbers are unknowns.
-LinearProblem problem_of(const Trial& trial, const std::vector<std::vector<double>>& hidden,
-                         const NothingHidden& nothing) {
-  const LinearPrediction prediction(trial.noise);
+LinearProblem problem_of(const Trial& trial, const Records& hidden, const SoundBall& ball) {
   const double gain_uncertainty =
       std::hypot(trial.gain_uncertainty, trial.mass.uncertainty / trial.ball.mass);
-  LinearProblem problem(first_of_shot + 2 * trial.shots.size());
-  std::vector<int> shared(first_of_shot);
+  LinearProblem problem(SoundBall::first_shot + 2 * trial.shots.size());
+  std::vector<int> shared(SoundBall::first_shot);
   std::iota(shared.begin(), shared.end(), 0);
   for (std::size_t j = 0; j < trial.shots.size(); ++j) {
-    std::vector<Row> rows;
-    for (std::size_t i = 0; i < hidden[j].size(); ++i)
-      rows.push_back(nothing.row(j, i, hidden[j][i]));
-    prediction.whiten(rows);
-    const double weight = weight_beside_mesh(trial.noise, nothing.force(j));
-    for (Row& row : rows)
-      for (double& one : row) one *= weight;
-    const int own = static_cast<int>(first_of_shot + 2 * j);
+    std::vector<SoundBall::Row> rows;
+    for (std::size_t i = 0; i < hidden[j].size(); ++i) rows.push_back(ball.row(j, i, hidden[j][i]));
+    LinearPrediction(trial.noise, error_of_mesh(ball.force(j))).whiten(rows);
+    const int own = static_cast<int>(SoundBall::first_shot + 2 * j);
     std::vector<int> places = shared;
     places.insert(places.end(), {own, own + 1});
-    for (const Row& row : rows) problem.add(places, {row.begin(), row.end() - 1}, row.back());
+    for (const SoundBall::Row& row : rows)
+      problem.add(places, {row.begin(), row.end() - 1}, row.back());
     problem.add({own + 1}, {trial.shots[j].speed.value / trial.shots[j].speed.uncertainty}, 0.0);
   }
-  for (std::size_t k = 0; k < other_balls; ++k)
-    problem.add({static_cast<int>(first_share + k)}, {1.0}, 0.0);
-  problem.add({gain}, {1.0 / gain_uncertainty}, 0.0);
-  problem.add({offset}, {1.0 / trial.noise.deviation}, 0.0);
+  for (std::size_t k = SoundBall::slow_branch; k < SoundBall::gain; ++k)
+    problem.add({static_cast<int>(k)}, {1.0}, k < SoundBall::made_of ? ball.numbers()[k] : 0.0);
+  problem.add({SoundBall::gain}, {1.0 / gain_uncertainty}, 0.0);
+  problem.add({SoundBall::offset}, {1.0 / trial.noise.deviation}, 0.0);
   return problem;
 }
 
-/// Moves the starts of shots to where a solution has them; false where none moves by more than this
-/// many samples.
-bool move_starts(const std::vector<double>& solution, double samples,
-                 std::vector<Sampling>& samplings) {
-  bool moved = false;
-  for (std::size_t j = 0; j < samplings.size(); ++j)
-    if (const double start = solution[first_of_shot + 2 * j];
-        std::abs(start) * samplings[j].rate > samples) {
-      samplings[j].first_time -= start;
-      moved = true;
+constexpr double too_little_to_show = 5.0;  // in χ², whatever else might take of it
+
+/// A ball with nothing hidden that is fitted to what a trial shows, by Gauss and Newton's
+/// steps. Looks at what it is given, which must outlive it.
+class FittedSoundBall {
+ public:
+  FittedSoundBall(const Trial& trial, const Records& hidden, const FemBall& origin,
+                  const SoundBall::Numbers& numbers, std::vector<Sampling> samplings)
+      : trial_(trial),
+        hidden_(hidden),
+        ball_(trial, origin, numbers),
+        samplings_(std::move(samplings)) {
+    look();
+  }
+
+  /// Σ r² that this very ball leaves over, all else fitted to first order.
+  double left() const { return left_; }
+
+  /// Goes on while that falls, with new slopes where the old ones help no more.
+  void fit() {
+    constexpr int most_rounds = 8, most_renewals = 1;
+    constexpr double worth_a_round = 0.7, settled = 0.05;  // of a sample
+    int renewals = 0;
+    for (int round = 0; round < most_rounds && left_ > too_little_to_show; ++round) {
+      const double before = left_;
+      double moved = 0.0;
+      const bool helps = step(moved);
+      if (helps && (left_ < worth_a_round * before || moved > settled)) continue;
+      if (renewals++ == most_renewals || !renewed()) return;
     }
-  return moved;
-}
+  }
+
+  const SoundBall::Numbers& numbers() const { return ball_.numbers(); }
+  const std::vector<Sampling>& samplings() const { return samplings_; }
+
+  /// The other elastic law that would take most; null where it is less than a third of one.
+  const FemBall* law_worth_a_look() const {
+    constexpr double worth_a_look = 0.3;
+    const std::vector<double> solution =
+        problem_of(trial_, hidden_, ball_).solution(SoundBall::made_of);
+    const auto first = solution.begin() + SoundBall::first_law;
+    const auto most = std::max_element(first, solution.begin() + SoundBall::gain);
+    return *most > worth_a_look ? &ball_.other_laws()[static_cast<std::size_t>(most - first)]
+                                : nullptr;
+  }
+
+ private:
+  bool renewed() try {
+    ball_.renew_slopes();
+    look();
+    return true;
+  } catch (const NoRebound&) {
+    return false;
+  }
+
+  void look() {
+    ball_.record(samplings_);
+    const LinearProblem problem = problem_of(trial_, hidden_, ball_);
+    left_ = problem.left_at(problem.solution(SoundBall::made_of));
+    next_ = problem.solution();
+  }
+
+  /// One step, shorter where it does not help; false where none does.
+  bool step(double& samples_moved) {
+    const SoundBall::Numbers numbers = ball_.numbers();
+    const std::vector<Sampling> samplings = samplings_;
+    const std::vector<double> next = next_;
+    const double left = left_;
+    for (const double share : {1.0, 0.3, 0.1}) {
+      try {
+        samples_moved = move(numbers, samplings, next, share);
+        if (left_ < left) return true;
+      } catch (const NoRebound&) {  // too far
+      }
+    }
+    ball_.move_to(numbers);
+    samplings_ = samplings;
+    look();
+    return false;
+  }
+
+  double move(const SoundBall::Numbers& from, const std::vector<Sampling>& samplings,
+              const std::vector<double>& next, double share) {
+    constexpr SoundBall::Numbers farthest = {0.3, 0.05, 0.5, 0.7, 1.0, 1.0};
+    SoundBall::Numbers numbers = from;
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      numbers[k] += share * std::clamp(next[k], -farthest[k], farthest[k]);
+    samplings_ = samplings;
+    double moved = 0.0;
+    for (std::size_t j = 0; j < samplings_.size(); ++j) {
+      const double start = share * next[SoundBall::first_shot + 2 * j];
+      samplings_[j].first_time -= start;
+      moved = std::max(moved, std::abs(start) * samplings_[j].rate);
+    }
+    ball_.move_to(numbers);
+    look();
+    return moved;
+  }
+
+  const Trial& trial_;
+  const Records& hidden_;
+  SoundBall ball_;
+  std::vector<Sampling> samplings_;
+  std::vector<double> next_;
+  double left_ = 0.0;
+};
 
 }  // namespace
 
 double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
   if (effects.empty()) return 0.0;
   const NoiseFree free = simulate_trial(trial, effects);
-  std::vector<std::vector<double>> hidden;
+  Records hidden;
   for (std::size_t j = 0; j < trial.shots.size(); ++j) {
     hidden.push_back(recorded(free, j, free.samplings[j]));
     digitise(free.world.chain, hidden.back());
   }
-  NothingHidden nothing(trial);
-  std::vector<Sampling> samplings = free.samplings;
-  constexpr int most_rounds = 12;
-  constexpr double plainly_moved = 2.0, settled = 0.05;  // samples: the first order holds within
-  double left = 0.0;
-  for (int round = 0; round < most_rounds; ++round) {
-    nothing.record(samplings);
-    const LinearProblem problem = problem_of(trial, hidden, nothing);
-    const std::vector<double> solution = problem.solution();
-    left = problem.left_at(solution);
-    if (!move_starts(solution, round == 0 ? plainly_moved : settled, samplings)) break;
+  FittedSoundBall fitted(trial, hidden, trial.fem, {}, free.samplings);
+  fitted.fit();
+  if (fitted.left() < too_little_to_show) return fitted.left();
+  const FemBall* law = fitted.law_worth_a_look();
+  if (law == nullptr) return fitted.left();
+  try {
+    FittedSoundBall other(trial, hidden, *law, fitted.numbers(), fitted.samplings());
+    other.fit();
+    return std::min(fitted.left(), other.left());
+  } catch (const NoRebound&) {
+    return fitted.left();
   }
-  return left;
 }
 
 }  // namespace trials

@@ -14,11 +14,13 @@ namespace trials {
 ///   w_i = (n_i − Σ_k a_{m,k} n_{i−k}) / (σ s_m),   m = min(i, highest order)
 ///
 /// Scheme: Durbin and Levinson's recursion on the autocorrelation of the noise. Exact for white,
-/// autoregressive and band-limited noise, of orders 0, 1 and 2; 1/f noise is cut at order 30.
+/// autoregressive and band-limited noise, of orders 0, 1 and 2; 1/f noise, and what has a colour
+/// beside white noise, is cut at order 30.
 /// Source:  Brockwell & Davis, Time Series: Theory and Methods, 1991, section 5.2.
 class LinearPrediction {
  public:
-  explicit LinearPrediction(const Noise& noise);
+  /// Of that noise and of white noise of this deviation beside it [N].
+  explicit LinearPrediction(const Noise& noise, double white_beside = 0.0);
 
   /// Whitens every column of a record in place.
   template <std::size_t Columns>

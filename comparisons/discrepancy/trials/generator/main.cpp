@@ -80,8 +80,8 @@ void declare(CLI::App& app, Options& options) {
         return fmt::format("'{}' is no kind or form; allowed: {}", kind, fmt::join(allowed, ", "));
       });
   app.add_option("--fem", options.fem,
-                 "Balls in finite elements, computed by this program, as build/rebound; three to "
-                 "ten processor seconds a trial.")
+                 "Balls in finite elements, computed by this program, as build/rebound; three "
+                 "processor seconds a trial with nothing hidden, a minute or two with an effect.")
       ->type_name("PROGRAM");
   app.add_flag("--believe-fem", options.believe_fem,
                "With --fem: what is believed is the ball's material in finite elements, and not "

@@ -51,6 +51,12 @@ void record_shot(const Trial& trial, const NoiseFree& free, std::size_t i, Trial
   digitise(free.world.chain, shot.force);
 }
 
+}  // namespace
+
+std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling) {
+  return reported_force(free.impacts[shot], free.world.chain, sampling, static_cast<int>(shot));
+}
+
 NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects, int cells) {
   NoiseFree free{.world = world_of(trial, effects), .impacts = {}, .samplings = {}};
   for (const TrialShot& shot : trial.shots) {
@@ -61,12 +67,6 @@ NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& e
     free.samplings.push_back(sampling_of(trial, shot, free.impacts.back().contact_time));
   }
   return free;
-}
-
-}  // namespace
-
-std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling) {
-  return reported_force(free.impacts[shot], free.world.chain, sampling, static_cast<int>(shot));
 }
 
 NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects) {

@@ -126,6 +126,8 @@ struct NoiseFree {
   std::vector<Sampling> samplings;
 };
 NoiseFree simulate_trial(const Trial& trial, const std::vector<HiddenEffect>& effects);
+/// In finite elements, on so many cells.
+NoiseFree simulate_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects, int cells);
 
 /// What is left of these effects beside the refitted baseline, in the noise of the trial, at times
 /// of these samplings. Errors: NoRebound.
@@ -135,11 +137,10 @@ Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
 /// χ² of that, at the effects' own times. Errors: NoRebound.
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
-/// The same in finite elements, to first order: a ball with nothing hidden takes what it can by its
-/// modulus, its Poisson ratio and the ratio of its branches, beside gain, offset and speeds; starts
-/// of shots are followed. Errors: NoRebound.
-/// Limit:  a delay of all shots shows nothing -> test
-/// FemVisibilityTest.ADelayOfAllShotsShowsNothing
+/// The same in finite elements: what is left beside the nearest ball with nothing hidden, whose
+/// modulus, Poisson ratio, branches, starts of shots and elastic law are fitted, beside gain,
+/// offset and speeds, which enter to first order. Errors: NoRebound. Limit:  a delay of all shots
+/// shows nothing -> test FemTrials.ADelayOfAllShotsShowsNothing
 double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
 /// The noise-free reading of one shot, before clipping and rounding.

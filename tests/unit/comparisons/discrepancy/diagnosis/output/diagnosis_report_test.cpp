@@ -5,9 +5,11 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/output/diagnosis_json.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_tables.hpp"
 #include "comparisons/discrepancy/diagnosis/output/diagnosis_text.hpp"
 #include "comparisons/discrepancy/diagnosis/output/shot_pictures.hpp"
+#include "fem/interface/elastic_models.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
@@ -91,6 +93,46 @@ TEST(DiagnosisReportTest, OfFeTheFirstScreenSpeaksOnlyWhereFeWasAsked) {
   d.fem_alone = std::make_shared<const ModelDiscrepancy>();
   EXPECT_NE(lead_of(d).find("FE was asked what a body of finite size does"), std::string::npos);
   EXPECT_EQ(lead_of(d).find("What each tier says"), std::string::npos) << "no effect was asked of";
+}
+
+/// Data that a ball of finite size follows are no proof of the law that was believed.
+TEST(DiagnosisReportTest, WhereTheLawAloneDoesNotFollowTheDataTheFirstSentenceSaysSo) {
+  Diagnosis d = with_fem_asked();
+  EXPECT_EQ(headline(d), "Model and data agree within the noise.");
+  EXPECT_EQ(to_json(d)["law_alone"], nullptr);
+  d.law_alone = Gap{.before = 100.0, .held_out_before = 49.0};
+  EXPECT_NE(headline(d).find("ball of finite size with nothing hidden"), std::string::npos);
+  EXPECT_NE(headline(d).find("The lumped law alone leaves 10 standard deviations"),
+            std::string::npos);
+  EXPECT_NE(lead_of(d).find("adds leaves 100, at that speed 49"), std::string::npos) << lead_of(d);
+  EXPECT_NE(to_text(d).find("law alone 100, unseen 49"), std::string::npos) << to_text(d);
+  EXPECT_EQ(to_json(d)["law_alone"]["gap"], 100.0);
+  EXPECT_EQ(to_json(d)["law_alone"]["where"], true) << "no part of FE is in the map";
+  d.model_discrepancy = d.fem_alone;
+  EXPECT_EQ(to_json(d)["law_alone"]["where"], false);
+}
+
+TEST(DiagnosisReportTest, FesOwnBallIsSaidInWords) {
+  FittedFem ball;
+  ball.material.elastic = ElasticModel::ogden;
+  ball.material.youngs_modulus = 12.34e6;
+  ball.material.poisson_ratio = 0.42;
+  ball.material.branches = {
+      {.ratio = 0.5, .relaxation_time = 21e-6},
+      {.ratio = 0.25, .relaxation_time = 1.5e-4, .relaxes = Relaxes::deviator}};
+  ball.effects = {{.name = "plate-compliance", .size = 2e-9, .parameters = {}}};
+  EXPECT_EQ(fem_ball_in_words(ball),
+            "ogden, E 12.3 MPa, ν 0.42, branch 0.5 in 21 µs, branch of the deviator 0.25 in 150 "
+            "µs, plate-compliance 2e-09 m/N");
+  Diagnosis d = with_fem_asked();
+  EXPECT_TRUE(fem_balls_in_words(d).empty()) << "none was fitted";
+  ModelDiscrepancy fitted;
+  ball.samples = 10;
+  fitted.balls = {ball};
+  d.fem_alone = std::make_shared<const ModelDiscrepancy>(fitted);
+  EXPECT_EQ(fem_balls_in_words(d), std::vector{fem_ball_in_words(ball)});
+  EXPECT_NE(lead_of(d).find("FE's own ball with nothing hidden: ogden, E 12.3 MPa"),
+            std::string::npos);
 }
 
 TEST(DiagnosisReportTest, ANameIsShownWithTheVerdictOfEachTierAndItsGaps) {

@@ -8,6 +8,7 @@ namespace {
 struct Colour {
   NoiseColour colour;
   double parameter;
+  double white_beside = 0.0;
 };
 
 class EveryColour : public ::testing::TestWithParam<Colour> {};
@@ -18,8 +19,9 @@ TEST_P(EveryColour, IsWhiteOncePredicted) {
       .colour = GetParam().colour, .parameter = GetParam().parameter, .deviation = 3.0};
   Random random({1, "prediction", 1, 1});
   std::vector<std::array<double, 1>> rows;
-  for (const double value : draw_noise(noise, 40000, random)) rows.push_back({value});
-  LinearPrediction(noise).whiten(rows);
+  for (const double value : draw_noise(noise, 40000, random))
+    rows.push_back({value + GetParam().white_beside * random.normal()});
+  LinearPrediction(noise, GetParam().white_beside).whiten(rows);
   double square = 0.0, next = 0.0, fifth = 0.0;
   for (std::size_t i = 5; i < rows.size(); ++i) {
     square += rows[i][0] * rows[i][0];
@@ -36,7 +38,10 @@ INSTANTIATE_TEST_SUITE_P(Noise, EveryColour,
                          ::testing::Values(Colour{NoiseColour::white, 0.0},
                                            Colour{NoiseColour::autoregressive, 0.7},
                                            Colour{NoiseColour::band_limited, 0.1},
-                                           Colour{NoiseColour::one_over_f, 0.0}));
+                                           Colour{NoiseColour::one_over_f, 0.0},
+                                           Colour{NoiseColour::white, 0.0, 2.0},
+                                           Colour{NoiseColour::autoregressive, 0.95, 1.0},
+                                           Colour{NoiseColour::band_limited, 0.1, 0.5}));
 
 }  // namespace
 }  // namespace trials::testing
