@@ -126,6 +126,21 @@ TEST_F(BesideFem, SofteningInFemIsOfItsFamily) {
   EXPECT_LT(found["gap"]["held_out_after"].get<double>() - 1.0, 0.5 * (unseen_before - 1.0));
 }
 
+/// FE with nothing hidden follows the data within its errors; χ² of a thousand readings says no
+/// more. One number that gains sixty does.
+TEST_F(BesideFem, AWeakSofteningIsSeenBesideFesOwnBall) {
+  const auto found = beside_lumped(
+      ball("elastic = \"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n" +
+           branch("1.0", "0.04 ms") + "[[model.effect]]\nname = \"hysteresis\"\nsize = 0.2\n"),
+      "25 N");
+  EXPECT_EQ(found["verdict"], "family") << found["warnings"];
+  EXPECT_EQ(found["family"], "history");
+  ASSERT_FALSE(found["in_fem"].empty());
+  EXPECT_EQ(found["in_fem"][0]["name"], "hysteresis");
+  EXPECT_NEAR(found["in_fem"][0]["size"].get<double>(), 0.2, 0.08);
+  EXPECT_LT(found["gap"]["held_out_after"], found["gap"]["held_out_before"]);
+}
+
 /// A pull that reaches ahead of the surface: it outlasts the push, which no lumped pull does.
 TEST_F(BesideFem, APullInFemIsOfTheSurface) {
   const auto found = beside_lumped(

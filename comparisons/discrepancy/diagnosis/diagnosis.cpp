@@ -8,6 +8,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/weak_effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
@@ -99,6 +100,12 @@ void show_missing_force(Diagnosis& d) {
         MissingForce{.not_found_because = "it is looked for beside a lumped law, not in FE"};
     return;
   }
+  if (d.maps_the_law_alone()) {
+    d.missing_force = MissingForce{.not_found_because =
+                                       "it would be the error of the lumped law, which FE with "
+                                       "nothing hidden does not have"};
+    return;
+  }
   try {
     d.missing_force = find_missing_force(*d.seen, d.selection.baseline.fit,
                                          d.held_out_speed ? d.unseen.get() : nullptr);
@@ -170,6 +177,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
       (d.verdict == DiagnosisVerdict::family && d.family == EffectFamily::none);
   if (no_single_family && d.fem_alone)
     look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
+  if (d.verdict == DiagnosisVerdict::agrees && d.law_alone)
+    look_for_weak_effects_in_fem(d, all, {.interrupted = control.interrupted});
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;

@@ -93,7 +93,8 @@ struct Diagnosis {
   /// Of that family: formulas that come nearest, with the share of the gap each explains.
   std::vector<ExplainedShare> nearest;
   std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was asked of no effect
-  /// Of FE with nothing hidden, where nothing lumped explains the data; `before` alone.
+  /// Of FE with nothing hidden, where nothing lumped explains the data; `before` and
+  /// `held_out_before` alone.
   std::optional<Gap> fem_with_nothing_hidden;
   /// What the believed lumped law leaves by itself, where `gap` is with what a body of finite size
   /// adds to it; `before` and `held_out_before` alone.
@@ -151,7 +152,8 @@ struct Diagnosis {
 ///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection); where
 ///     FE was asked, names that have a form there tried in FE as well (ask_fem_of_names)
 ///   8 where nothing lumped explains the data and FE comes near to them: effects in FE, one at a
-///     time (look_for_effects_in_fem)
+///     time (look_for_effects_in_fem); where FE with nothing hidden follows them: those that gain
+///     much all the same (look_for_weak_effects_in_fem)
 ///   9 where something is missing from the physics: the missing force, without a formula
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the

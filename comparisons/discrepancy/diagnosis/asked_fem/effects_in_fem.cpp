@@ -6,6 +6,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/tried_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
@@ -13,46 +14,6 @@
 
 namespace rebound {
 namespace {
-
-std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present) {
-  std::vector<std::string> names = absent_effects(present);
-  std::erase_if(names, [](const std::string& name) {
-    const Effect& effect = find_effect(name);
-    return !effect.to_fem || is_measurement(name) || effect.card.is_free_form ||
-           effect.card.is_switch || effect.card.oscillator || effect.card.oscillator_pair;
-  });
-  return names;
-}
-
-/// Curves over strain and over unloading, and a spectrum of times: where no formula explains the
-/// data, a family may.
-std::vector<std::string> free_forms_of_fem(const std::vector<EffectChoice>& present) {
-  std::vector<std::string> names = free_forms(present, false);
-  const std::vector<std::string> later = free_forms(present, true);
-  names.insert(names.end(), later.begin(), later.end());
-  std::erase_if(names, [](const std::string& name) {
-    const Effect& effect = find_effect(name);
-    return !effect.to_fem || effect.card.oscillator_pair;
-  });
-  return names;
-}
-
-/// Where a search for an effect may start: its usual size, and ten and a hundred times that where
-/// it may be as large; a memory fades in half a contact.
-std::vector<EffectChoice> starts_of(const EffectCard& card, double contact_time) {
-  constexpr double half = 0.5;
-  EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
-  for (const EffectParameterCard& one : card.parameters)
-    start.parameters[one.name] = one.name == card.fades_in ? half * contact_time
-                                 : one.is_left_open        ? one.tried.front()
-                                                           : one.default_value;
-  std::vector<EffectChoice> starts{start};
-  for (const double larger : {10.0, 100.0}) {
-    start.size = larger * card.prior_scale;
-    if (card.range.contains(start.size)) starts.push_back(start);
-  }
-  return starts;
-}
 
 /// The start that fits best before anything is searched: steps of a search in FE are short beside
 /// two decades.
@@ -141,7 +102,7 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
   std::vector<std::vector<EffectChoice>> named, plates, free;
   for (const std::string& name : effects_of_fem(lumped.effects))
-    named.push_back(starts_of(find_effect(name).card, contact_time));
+    named.push_back(starts_in_fem(find_effect(name).card, contact_time));
   for (const std::string& name : free_forms_of_fem(lumped.effects))
     free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
   TriedInFem tried(d, balls, without, rules, control);

@@ -7,6 +7,8 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -86,6 +88,34 @@ double FemOfBalls::chi_square_with(const std::vector<EffectChoice>& effects,
     chi_square += chi_square_of(seen_, shots, *d_.fem_alone->fem, with, control_);
   }
   return chi_square;
+}
+
+std::vector<FirstOrderGain> FemOfBalls::first_order_gains(const std::vector<EffectChoice>& effects,
+                                                          const FemOfAllBalls& at) const {
+  using Sums = BesideFittedNumbers::Sums;
+  std::vector<Sums> sums(effects.size());
+  std::vector<bool> has_answer(effects.size(), true);
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+    const auto shots = shots_for_fem(seen_, all_, ball);
+    if (shots.empty()) continue;
+    const FittedFem& own = at.balls[ball];
+    const FirstOrderInFem around(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem, own);
+    const auto of_ball = fit_each<Sums>(effects.size(), control_, [&](std::size_t k) {
+      const auto choices = effects_of_ball({effects[k]}, ball);
+      if (with_effects(own, choices).material != own.material)
+        throw Error(ExitCode::solver_failed, "this effect asks for another kind of ball");
+      return around.sums_of(choices);
+    });
+    for (std::size_t k = 0; k < effects.size(); ++k) {
+      has_answer[k] = has_answer[k] && of_ball[k].has_value();
+      if (!of_ball[k]) continue;
+      sums[k] += *of_ball[k];
+    }
+  }
+  std::vector<FirstOrderGain> gains(effects.size());
+  for (std::size_t k = 0; k < effects.size(); ++k)
+    if (has_answer[k]) gains[k] = sums[k].gain();
+  return gains;
 }
 
 std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {

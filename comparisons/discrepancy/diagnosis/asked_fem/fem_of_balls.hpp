@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/first_order_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
@@ -39,6 +40,11 @@ class FemOfBalls {
   /// χ² of the shots that were fitted, with these numbers of the effects in place of those of
   /// `near` and the materials as they are there; starts and scales of their own.
   double chi_square_with(const std::vector<EffectChoice>& effects, const FemOfAllBalls& near) const;
+
+  /// What each of these effects would do to χ² of the shots that were fitted, to first order beside
+  /// a fit with nothing hidden; no gain of one that has no answer, or that asks for other balls.
+  std::vector<FirstOrderGain> first_order_gains(const std::vector<EffectChoice>& effects,
+                                                const FemOfAllBalls& at) const;
 
   /// χ² of the shots at the unseen speed over their samples, with starts and scales of their own
   /// and all else as it was fitted; nothing where no history is there.

@@ -13,23 +13,10 @@
 namespace rebound {
 namespace {
 
-constexpr double difference_step = 0.01;  // of a logarithm: above FE's step noise
 /// Of an effect's numbers that are no logarithms: a hundredth of their scale changes a force by
 /// less than its ripple.
 constexpr double longer_steps = 5.0;
 constexpr double cost_tolerance = 3e-4;  // what nodes that touch one by one leave of the cost
-
-std::vector<ModelledImpact> run_shots(const Observations& seen,
-                                      const std::vector<std::size_t>& shots, const FemBelief& fem,
-                                      const Material& material,
-                                      const std::vector<EffectChoice>& effects) {
-  std::vector<ModelledImpact> impacts(shots.size());
-  in_parallel(shots.size(), [&](std::size_t k) {
-    const MeasuredImpact& shot = seen.shots[shots[k]];
-    impacts[k] = fem.run(shot.ball, shot.impact, material, effects);
-  });
-  return impacts;
-}
 
 /// Scales and starts of records begin where another fit to the same shots has left them.
 void start_records_at(const std::vector<double>& values, std::ptrdiff_t first,
@@ -66,6 +53,18 @@ CalibrationResult searched(CalibrationProblem& problem, const RunControl& contro
 
 }  // namespace
 
+std::vector<ModelledImpact> impacts_in_fem(const Observations& seen,
+                                           const std::vector<std::size_t>& shots,
+                                           const FemBelief& fem, const Material& material,
+                                           const std::vector<EffectChoice>& effects) {
+  std::vector<ModelledImpact> impacts(shots.size());
+  in_parallel(shots.size(), [&](std::size_t k) {
+    const MeasuredImpact& shot = seen.shots[shots[k]];
+    impacts[k] = fem.run(shot.ball, shot.impact, material, effects);
+  });
+  return impacts;
+}
+
 FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>& shots,
                         const HypothesisFit& lumped, const FemBelief& fem,
                         const std::vector<EffectChoice>& effects, const FittedFem* near,
@@ -82,7 +81,7 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
   const auto impacts_at = [&](const std::vector<double>& x) -> const std::vector<ModelledImpact>& {
     return kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
-      return run_shots(seen, shots, fem, of_material.at(x), of_effects.at(x));
+      return impacts_in_fem(seen, shots, fem, of_material.at(x), of_effects.at(x));
     });
   };
   FirstTouches touches;
@@ -116,7 +115,7 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
 
 double chi_square_of(const Observations& shots_of, const std::vector<std::size_t>& shots,
                      const FemBelief& fem, const FittedFem& fitted, const RunControl& control) {
-  const auto impacts = run_shots(shots_of, shots, fem, fitted.material, fitted.effects);
+  const auto impacts = impacts_in_fem(shots_of, shots, fem, fitted.material, fitted.effects);
   CalibrationProblem calibration;
   RecordsOfShots records(shots_of, shots);
   FirstTouches touches;

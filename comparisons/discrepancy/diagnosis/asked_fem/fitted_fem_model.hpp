@@ -5,6 +5,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/modelled_impact.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/run_control.hpp"
 
@@ -13,6 +14,15 @@ namespace rebound {
 /// How far a search in FE goes: near the least, with differences to one side, or to the end, with
 /// central ones from there.
 enum class SearchDepth { near, whole };
+
+inline constexpr double difference_step = 0.01;  // of a logarithm: above FE's step noise
+
+/// The shots run in FE, side by side.
+/// Errors: those of FE.
+std::vector<ModelledImpact> impacts_in_fem(const Observations& seen,
+                                           const std::vector<std::size_t>& shots,
+                                           const FemBelief& fem, const Material& material,
+                                           const std::vector<EffectChoice>& effects);
 
 /// FE's own idea of a ball that hides nothing but these effects.
 ///

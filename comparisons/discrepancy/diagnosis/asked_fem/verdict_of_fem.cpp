@@ -34,6 +34,13 @@ bool explains(const EffectInFem& one, const FemOfAllBalls& without, const Select
          takes(one, half) && *one.gap.after <= left_by_fem;
 }
 
+/// By a fair share of what was gained for each reading of the speeds that were fitted?
+bool is_followed_better_unseen(const EffectInFem& one, double gain_of_a_reading) {
+  constexpr double fair_share = 0.2;
+  return one.gap.held_out_before &&
+         *one.gap.held_out_before - *one.gap.held_out_after >= fair_share * gain_of_a_reading;
+}
+
 /// Those that explain the data within reach of the best; none where the best does not.
 std::vector<const EffectInFem*> supported_by_fem(const Diagnosis& d, const SelectionRules& rules) {
   std::vector<const EffectInFem*> candidates;
@@ -80,6 +87,36 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
   d.verdict = DiagnosisVerdict::agrees;
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;
+}
+
+void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
+  if (d.in_fem.empty()) return;
+  for (EffectInFem& one : d.in_fem) {
+    one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+    one.fem = "rejected";
+  }
+  const EffectInFem& best = d.in_fem.front();
+  const double gain = without.information_criterion() - best.information_criterion;
+  if (!is_followed_better_unseen(best, gain / static_cast<double>(without.samples))) return;
+  constexpr double plainly_less = 0.3;  // of the gain: forms are not those of the data
+  bool of_one_family = true;
+  for (EffectInFem& one : d.in_fem) {
+    if (one.information_criterion - best.information_criterion > plainly_less * gain) continue;
+    one.fem = "supported";
+    d.candidates.push_back({one.effect.name});
+    of_one_family = of_one_family && one.family == best.family;
+  }
+  d.verdict = of_one_family ? DiagnosisVerdict::family : DiagnosisVerdict::one_of;
+  d.family = of_one_family ? best.family : EffectFamily::none;
+  d.excluded.clear();
+  d.gap.before = best.gap.before;
+  d.gap.after = best.gap.after;
+  d.gap.held_out_before = best.gap.held_out_before;
+  d.gap.held_out_after = best.gap.held_out_after;
+  d.withheld = fmt::format(
+      "FE with nothing hidden follows the data, and follows them better with {}: by {:.0f} in χ², "
+      "and at the unseen speed from {:.3g} to {:.3g}; beside a lumped law that is not seen",
+      best.effect.name, gain, *best.gap.held_out_before, *best.gap.held_out_after);
 }
 
 void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {

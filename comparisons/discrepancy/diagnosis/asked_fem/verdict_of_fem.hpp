@@ -27,4 +27,11 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
 ///         that takes half -> test VerdictOfFem
 void conclude_from_fem(Diagnosis& d, const SelectionRules& rules);
 
+/// Where FE with nothing hidden follows the data, and follows them plainly better with each of
+/// `in_fem`, the nearest first: the family of all that gain nearly as much as the nearest, or one
+/// of them where families differ. What the unseen speed does not follow better, too, is not there.
+/// Limit:  the verdict stays where the unseen speed denies the nearest
+///         -> test VerdictOfFem.AWeakEffectMustHoldAtTheUnseenSpeed
+void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without);
+
 }  // namespace rebound

@@ -72,6 +72,54 @@ TEST(VerdictOfFem, TheUnseenSpeedHasItsSay) {
       << "nearly all has not gone there";
 }
 
+/// FE with nothing hidden leaves the noise; this gains in χ² of the thousand samples that it has.
+EffectInFem weak(const std::string& name, double gained, UnseenGap unseen = {1.0, 0.9}) {
+  EffectInFem one{.effect = {.name = name, .size = 0.1, .parameters = {}},
+                  .information_criterion = 1000.0 - gained,
+                  .gap = {.before = 1.0,
+                          .after = 1.0 - gained / 1000.0,
+                          .held_out_before = unseen.before,
+                          .held_out_after = unseen.after}};
+  one.family = find_effect(name).card.family;
+  return one;
+}
+
+Diagnosis concluded_weakly(std::vector<EffectInFem> in_fem) {
+  FemOfAllBalls without;
+  without.samples = 1000;
+  without.chi_square = 1000.0;
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::agrees;
+  d.in_fem = std::move(in_fem);
+  conclude_from_weak_effects(d, without);
+  return d;
+}
+
+TEST(VerdictOfFem, AWeakEffectGivesTheFamilyOfAllThatGainAsMuch) {
+  const Diagnosis d = concluded_weakly(
+      {weak("hysteresis", 100.0), weak("permanent-set", 75.0), weak("strain-stiffening", 65.0)});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::family);
+  EXPECT_EQ(d.family, EffectFamily::history);
+  EXPECT_EQ(d.candidates,
+            (std::vector<std::vector<std::string>>{{"hysteresis"}, {"permanent-set"}}));
+  EXPECT_EQ(d.in_fem[2].fem, "rejected");
+  EXPECT_EQ(d.gap.after, 0.9);
+  const Diagnosis of_two =
+      concluded_weakly({weak("hysteresis", 100.0), weak("strain-stiffening", 75.0)});
+  EXPECT_EQ(of_two.verdict, DiagnosisVerdict::one_of);
+  EXPECT_EQ(of_two.family, EffectFamily::none);
+}
+
+TEST(VerdictOfFem, AWeakEffectMustHoldAtTheUnseenSpeed) {
+  const double gained = 100.0;  // a tenth of the noise in each reading
+  EXPECT_EQ(concluded_weakly({weak("hysteresis", gained, {1.0, 0.97})}).verdict,
+            DiagnosisVerdict::family);
+  const Diagnosis denied = concluded_weakly({weak("hysteresis", gained, {1.0, 0.99})});
+  EXPECT_EQ(denied.verdict, DiagnosisVerdict::agrees);
+  EXPECT_EQ(denied.in_fem[0].fem, "rejected");
+  EXPECT_TRUE(denied.candidates.empty());
+}
+
 TEST(VerdictOfFem, NothingTriedLeavesTheVerdict) {
   EXPECT_EQ(concluded({}).verdict, DiagnosisVerdict::unexplained);
 }

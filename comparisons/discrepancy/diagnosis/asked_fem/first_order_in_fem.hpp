@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/asked_fem/first_order_gain.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/records_of_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/believed_fem/fem_belief.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+#include "comparisons/inference/calibration/observations.hpp"
+
+namespace rebound {
+
+/// A ball fitted in FE with nothing hidden, and what an effect beside it would gain: all numbers of
+/// that fit are free, those of its material and scale, speed and start of every shot.
+///
+/// Valid:   effects that are small beside the ball; what is large bends.
+/// Limit:   what it says of softening is what a fit then gains
+///          -> test BesideFem.AWeakSofteningIsSeenBesideFesOwnBall
+class FirstOrderInFem {
+ public:
+  /// Errors: those of FE.
+  ///
+  ///   fitted  with nothing hidden, by fit_fem_model()
+  FirstOrderInFem(const Observations& seen, std::vector<std::size_t> shots,
+                  const HypothesisFit& lumped, const FemBelief& fem, FittedFem fitted);
+
+  /// Errors: those of FE at these numbers.
+  BesideFittedNumbers::Sums sums_of(const std::vector<EffectChoice>& effects) const;
+
+ private:
+  Eigen::VectorXd with_priors(const std::vector<double>& records,
+                              const std::vector<ModelledImpact>& impacts) const;
+
+  const Observations& seen_;
+  std::vector<std::size_t> shots_;
+  const FemBelief& fem_;
+  FittedFem fitted_;
+  RecordsOfShots records_;
+  std::vector<CalibrationParameter> record_unknowns_;
+  std::optional<BesideFittedNumbers> numbers_;  ///< always there once constructed
+};
+
+}  // namespace rebound
