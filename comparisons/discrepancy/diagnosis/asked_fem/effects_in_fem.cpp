@@ -46,9 +46,9 @@ bool is_worth_asking(const Diagnosis& d, const FemOfAllBalls& without) {
 /// Effects that are fitted in FE, one at a time, against FE with nothing hidden.
 class TriedInFem {
  public:
-  TriedInFem(Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
+  TriedInFem(Diagnosis& d, const FemOfBalls& balls, FemOfAllBalls without,
              const SelectionRules& rules, const RunControl& control)
-      : d_(d), balls_(balls), without_(without), rules_(rules), control_(control) {}
+      : d_(d), balls_(balls), without_(std::move(without)), rules_(rules), control_(control) {}
 
   /// The plates that FE has found under its balls are an effect like any other.
   void add_own_plates() { add(balls_.fit_on_own_plates()); }
@@ -68,6 +68,9 @@ class TriedInFem {
     });
   }
 
+  /// FE with nothing hidden, as near as any search has come.
+  const FemOfAllBalls& without() const { return without_; }
+
   bool is_any_supported() const {
     return std::any_of(d_.in_fem.begin(), d_.in_fem.end(),
                        [](const EffectInFem& one) { return one.fem == "supported"; });
@@ -75,14 +78,23 @@ class TriedInFem {
 
  private:
   void add(const FemOfAllBalls& with) {
-    if (with.chi_square < without_.chi_square)
-      d_.in_fem.push_back(
-          with_verdicts(compare_tiers(d_, balls_, without_, with, 0), without_, rules_));
+    if (with.chi_square >= without_.chi_square) return;
+    EffectInFem one = compared(with);
+    if (one.fem == "supported") {
+      const double before = without_.chi_square;
+      without_ = balls_.nearest_without_effects(with, without_);
+      if (without_.chi_square < before) one = compared(with);
+    }
+    d_.in_fem.push_back(std::move(one));
+  }
+
+  EffectInFem compared(const FemOfAllBalls& with) const {
+    return with_verdicts(compare_tiers(d_, balls_, without_, with, 0), without_, rules_);
   }
 
   Diagnosis& d_;
   const FemOfBalls& balls_;
-  const FemOfAllBalls& without_;
+  FemOfAllBalls without_;
   const SelectionRules& rules_;
   const RunControl& control_;
 };
@@ -114,6 +126,11 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   // nor the other way about: plates, whose search takes longest, come after the named effects.
   for (const auto* starts : {&named, &plates, &free})
     if (!tried.is_any_supported()) tried.fit_each_of(*starts);
+  const std::optional<double> unseen_at_last = balls.unseen(tried.without());
+  d.fem_with_nothing_hidden =
+      Gap{.before = tried.without().reduced_chi_square(), .held_out_before = unseen_at_last};
+  if (!tried.is_any_supported() && is_the_noise(tried.without(), unseen_at_last))
+    return let_fem_stand(d, tried.without(), unseen_at_last);
   conclude_from_fem(d, rules);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;

@@ -63,6 +63,14 @@ FemOfAllBalls FemOfBalls::fit_on_own_plates() const {
   return fit_near(d_.fem_alone->balls);
 }
 
+FemOfAllBalls FemOfBalls::nearest_without_effects(const FemOfAllBalls& with,
+                                                  const FemOfAllBalls& without) const {
+  std::vector<FittedFem> near = with.balls;
+  for (FittedFem& ball : near) ball.effects.clear();
+  FemOfAllBalls again = fit_near(near);
+  return again.chi_square < without.chi_square ? again : without;
+}
+
 FemOfAllBalls FemOfBalls::fit_near(const std::vector<FittedFem>& near) const {
   FemOfAllBalls whole{.balls = near};
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {

@@ -37,6 +37,12 @@ class FemOfBalls {
   /// On the plates that FE has found under them, where it has.
   FemOfAllBalls fit_on_own_plates() const;
 
+  /// With nothing hidden, from where a fit with effects has left the materials. What comes nearer
+  /// than `without` stands in its place: an effect that only led a search for the material out of a
+  /// valley explains nothing.
+  FemOfAllBalls nearest_without_effects(const FemOfAllBalls& with,
+                                        const FemOfAllBalls& without) const;
+
   /// χ² of the shots that were fitted, with these numbers of the effects in place of those of
   /// `near` and the materials as they are there; starts and scales of their own.
   double chi_square_with(const std::vector<EffectChoice>& effects, const FemOfAllBalls& near) const;

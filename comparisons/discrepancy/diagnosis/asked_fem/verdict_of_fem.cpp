@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 
 namespace rebound {
@@ -87,6 +88,9 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
   d.verdict = DiagnosisVerdict::agrees;
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;
+  auto alone = std::make_shared<ModelDiscrepancy>(*d.fem_alone);
+  alone->balls = without.balls;  // that a search for effects may have brought nearer
+  d.fem_alone = std::move(alone);
 }
 
 void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {

@@ -79,14 +79,18 @@ void look_for_weak_effects_in_fem(Diagnosis& d, const Observations& all,
                                   const RunControl& control) try {
   if (!d.held_out_speed) return;  // nothing could deny what is found
   const FemOfBalls balls(d, all, control);
-  const FemOfAllBalls without = balls.fit({});
+  FemOfAllBalls without = balls.fit({});
   if (!without.follows()) return;
   const std::vector<PromisingEffect> promising = promising_effects(d, balls, without);
   const auto fits = fit_each<FemOfAllBalls>(
       promising.size(), control, [&](std::size_t k) { return balls.fit({promising[k].start}); });
+  const auto gains_much = [&](const std::optional<FemOfAllBalls>& with) {
+    return with && without.information_criterion() - with->information_criterion() >= is_seen;
+  };
   for (const auto& with : fits)
-    if (with && without.information_criterion() - with->information_criterion() >= is_seen)
-      d.in_fem.push_back(compare_tiers(d, balls, without, *with, 0));
+    if (gains_much(with)) without = balls.nearest_without_effects(*with, without);
+  for (const auto& with : fits)
+    if (gains_much(with)) d.in_fem.push_back(compare_tiers(d, balls, without, *with, 0));
   std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
     return a.information_criterion < b.information_criterion;
   });
