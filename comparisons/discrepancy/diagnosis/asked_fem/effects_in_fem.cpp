@@ -68,7 +68,6 @@ class TriedInFem {
     });
   }
 
-  /// FE with nothing hidden, as near as any search has come.
   const FemOfAllBalls& without() const { return without_; }
 
   bool is_any_supported() const {
@@ -79,13 +78,18 @@ class TriedInFem {
  private:
   void add(const FemOfAllBalls& with) {
     if (with.chi_square >= without_.chi_square) return;
-    EffectInFem one = compared(with);
-    if (one.fem == "supported") {
-      const double before = without_.chi_square;
-      without_ = balls_.nearest_without_effects(with, without_);
-      if (without_.chi_square < before) one = compared(with);
-    }
-    d_.in_fem.push_back(std::move(one));
+    fits_.push_back(with);
+    d_.in_fem.push_back(compared(with));
+    if (d_.in_fem.back().fem != "supported") return;
+    const double before = without_.chi_square;
+    without_ = balls_.nearest_without_effects(with, without_);
+    if (without_.chi_square < before) compare_all_again();
+  }
+
+  void compare_all_again() {
+    d_.in_fem.clear();
+    for (const FemOfAllBalls& with : fits_)
+      if (with.chi_square < without_.chi_square) d_.in_fem.push_back(compared(with));
   }
 
   EffectInFem compared(const FemOfAllBalls& with) const {
@@ -94,7 +98,8 @@ class TriedInFem {
 
   Diagnosis& d_;
   const FemOfBalls& balls_;
-  FemOfAllBalls without_;
+  FemOfAllBalls without_;            ///< with nothing hidden, as near as any search has come
+  std::vector<FemOfAllBalls> fits_;  ///< of effects
   const SelectionRules& rules_;
   const RunControl& control_;
 };
