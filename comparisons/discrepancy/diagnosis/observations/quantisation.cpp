@@ -20,6 +20,11 @@ double quantisation_step(const std::vector<double>& force) {
     return 0.0;
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < levels.size(); ++i) step = std::min(step, levels[i] - levels[i - 1]);
+  // Two large readings are printed to fewer places than two small ones: the longer the way from the
+  // first level, the better it tells the step.
+  for (const double level : levels)
+    if (const double count = std::round((level - levels.front()) / step); count > 0.0)
+      step = (level - levels.front()) / count;
   constexpr double forgiven = 1e-3;  // of a step
   for (const double level : levels) {
     const double count = (level - levels.front()) / step;

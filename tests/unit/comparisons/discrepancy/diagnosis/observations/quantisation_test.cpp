@@ -1,5 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,6 +28,17 @@ TEST(QuantisationTest, NoiseHasNoStep) {
 TEST(QuantisationTest, FindsTheStepOfARecorder) {
   for (const MeasuredImpact& shot : rounded_to(35.0, 1).shots)
     EXPECT_NEAR(quantisation_step(shot.trace.force), 35.0, 1e-6);
+}
+
+/// As files print them: two neighbours among large readings say the step to fewer places.
+TEST(QuantisationTest, FindsTheStepInReadingsOfSevenDigits) {
+  constexpr double step = 24.1316787;
+  std::vector<double> printed;
+  for (int k = 0; k < 400; ++k)
+    printed.push_back(
+        std::stod(fmt::format("{:.7g}", step * std::round(200.0 * std::sin(0.01 * k)))));
+  printed.insert(printed.end(), 100, 0.0);
+  EXPECT_NEAR(quantisation_step(printed), step, 1e-4);
 }
 
 TEST(QuantisationTest, RoundingIsNoiseOfItsOwnAndSaid) {

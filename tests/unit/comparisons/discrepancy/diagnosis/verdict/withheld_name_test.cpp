@@ -130,6 +130,24 @@ TEST(WithheldNameTest, ANameNeedsAGapThatClosesAtTheUnseenSpeed) {
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::missing);
 }
 
+/// A family that leaves a gap where there was none, and not by noise.
+TEST(WithheldNameTest, AFamilyThatOpensAGapAtTheUnseenSpeedIsDenied) {
+  Diagnosis d = explained_by({"elastic-curve"});
+  d.verdict = DiagnosisVerdict::family;
+  d.family = EffectFamily::elastic;
+  d.gap.held_out_noise = 0.04;
+  d.gap.held_out_before = 1.05;
+  d.gap.held_out_after = 1.4;
+  d.unseen_before = HeldOutGap{.chi_square = 500.0};
+  d.unseen_after = HeldOutGap{.chi_square = 660.0};
+  d.believed.p_value = 0.01;  // the gap that was seen is one that noise may make
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+  d.believed.p_value = 1e-6;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::unexplained);
+  d.unseen_after->chi_square = 503.0;
+  EXPECT_EQ(verdict_of(d), d.verdict) << "what noise does to a χ² denies nothing";
+}
+
 /// A fault of the measurement that the unseen speed is as far from as before.
 Diagnosis fault_that_misses(const std::string& name) {
   Diagnosis d = small_gap();
