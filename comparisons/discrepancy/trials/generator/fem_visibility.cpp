@@ -85,6 +85,15 @@ LinearProblem problem_of(const Trial& trial, const Records& hidden, const SoundB
 
 constexpr double too_little_to_show = 5.0;  // in χ², whatever else might take of it
 
+/// Sample, and share of the next, at which a force passes half of its largest.
+double rise_of(const std::vector<double>& force) {
+  const double half = 0.5 * *std::max_element(force.begin(), force.end());
+  const auto above = std::find_if(force.begin(), force.end(), [&](double f) { return f > half; });
+  if (above == force.begin()) return 0.0;
+  const double before = *(above - 1);
+  return static_cast<double>(above - 1 - force.begin()) + (half - before) / (*above - before);
+}
+
 /// A ball with nothing hidden that is fitted to what a trial shows, by Gauss and Newton's
 /// steps. Looks at what it is given, which must outlive it.
 class FittedSoundBall {
@@ -96,6 +105,7 @@ class FittedSoundBall {
         ball_(trial, origin, numbers),
         samplings_(std::move(samplings)) {
     look();
+    settle_starts();
   }
 
   /// Σ r² that this very ball leaves over, all else fitted to first order.
@@ -130,6 +140,31 @@ class FittedSoundBall {
   }
 
  private:
+  /// Starts that are plainly elsewhere are moved to where the forces rise together: to first order
+  /// one that is off by many samples misleads every other number.
+  void settle_starts() {
+    constexpr double plainly_elsewhere = 5.0;  // samples
+    bool moved = false;
+    for (std::size_t j = 0; j < samplings_.size(); ++j) {
+      const double later = rise_of(hidden_[j]) - rise_of(ball_.force(j));
+      if (std::abs(later) < plainly_elsewhere) continue;
+      samplings_[j].first_time -= later / samplings_[j].rate;
+      moved = true;
+    }
+    if (moved) look();
+  }
+
+  /// Returns how far the farthest moves [samples].
+  double move_starts(const std::vector<double>& next, double share) {
+    double moved = 0.0;
+    for (std::size_t j = 0; j < samplings_.size(); ++j) {
+      const double start = share * next[SoundBall::first_shot + 2 * j];
+      samplings_[j].first_time -= start;
+      moved = std::max(moved, std::abs(start) * samplings_[j].rate);
+    }
+    return moved;
+  }
+
   bool renewed() try {
     ball_.renew_slopes();
     look();
@@ -171,12 +206,7 @@ class FittedSoundBall {
     for (std::size_t k = 0; k < numbers.size(); ++k)
       numbers[k] += share * std::clamp(next[k], -farthest[k], farthest[k]);
     samplings_ = samplings;
-    double moved = 0.0;
-    for (std::size_t j = 0; j < samplings_.size(); ++j) {
-      const double start = share * next[SoundBall::first_shot + 2 * j];
-      samplings_[j].first_time -= start;
-      moved = std::max(moved, std::abs(start) * samplings_[j].rate);
-    }
+    const double moved = move_starts(next, share);
     ball_.move_to(numbers);
     look();
     return moved;
