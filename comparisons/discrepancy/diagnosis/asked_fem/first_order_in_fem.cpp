@@ -32,6 +32,7 @@ FirstOrderInFem::FirstOrderInFem(const Observations& seen, std::vector<std::size
   std::vector<CalibrationParameter> unknowns;
   of_material.add(unknowns);
   std::vector<double> numbers;
+  numbers.reserve(unknowns.size());
   for (const CalibrationParameter& one : unknowns) numbers.push_back(one.start);
   const auto impacts = impacts_in_fem(seen_, shots_, fem_, fitted_.material, {});
   const auto count = static_cast<Eigen::Index>(unknowns.size() + record_unknowns_.size());

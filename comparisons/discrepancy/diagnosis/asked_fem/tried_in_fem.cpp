@@ -1,5 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/tried_in_fem.hpp"
 
+#include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 
 namespace rebound {

@@ -34,6 +34,7 @@ TEST(QuantisationTest, FindsTheStepOfARecorder) {
 TEST(QuantisationTest, FindsTheStepInReadingsOfSevenDigits) {
   constexpr double step = 24.1316787;
   std::vector<double> printed;
+  printed.reserve(500);
   for (int k = 0; k < 400; ++k)
     printed.push_back(
         std::stod(fmt::format("{:.7g}", step * std::round(200.0 * std::sin(0.01 * k)))));
