@@ -117,8 +117,6 @@ struct Diagnosis {
   std::shared_ptr<const ModelDiscrepancy> model_discrepancy;
   /// The same wherever FE was asked, with the balls as FE alone would have them.
   std::shared_ptr<const ModelDiscrepancy> fem_alone;
-  /// Of the search beside FE, where it explains nothing: starts of a search in FE.
-  std::vector<EffectChoice> plates_beside_fem;
   std::optional<HeldOutGap> unseen_before, unseen_after;
   /// What the model that the search started from lacks, without a formula; absent where nothing
   /// is missing from it.

@@ -54,7 +54,7 @@ class TriedInFem {
   void add_own_plates() { add(balls_.fit_on_own_plates()); }
 
   /// Each of these by itself, from the nearest of its starts.
-  void fit_each_of(const std::vector<std::vector<EffectChoice>>& starts) {
+  void fit_each_of(const StartsOfEffects& starts) {
     std::vector<EffectChoice> nearest;
     nearest.reserve(starts.size());
     for (const std::vector<EffectChoice>& of_one : starts)
@@ -63,9 +63,7 @@ class TriedInFem {
         nearest.size(), control_, [&](std::size_t k) { return balls_.fit({nearest[k]}); });
     for (const auto& with : fits)
       if (with) add(*with);
-    std::stable_sort(d_.in_fem.begin(), d_.in_fem.end(), [](const auto& a, const auto& b) {
-      return a.information_criterion < b.information_criterion;
-    });
+    sort_nearest_first(d_.in_fem);
   }
 
   const FemOfAllBalls& without() const { return without_; }
@@ -116,12 +114,8 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
   if (!is_worth_asking(d, without)) return;
   if (is_the_noise(without, unseen)) return let_fem_stand(d, without, unseen);
   const HypothesisFit& lumped = d.selection.baseline.fit;
-  const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
-  std::vector<std::vector<EffectChoice>> named, plates, free;
-  for (const std::string& name : effects_of_fem(lumped.effects))
-    named.push_back(starts_in_fem(find_effect(name).card, contact_time));
-  for (const std::string& name : free_forms_of_fem(lumped.effects))
-    free.push_back(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
+  StartsOfEffects named = starts_of_named(lumped), plates,
+                  free = starts_of_free_forms(*d.seen, lumped);
   TriedInFem tried(d, balls, without, rules, control);
   if (d.fem_alone->plate_moves())
     tried.add_own_plates();

@@ -1,72 +1,60 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/first_order_in_fem.hpp"
 
+#include <map>
 #include <utility>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/inference/calibration/differences.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
-namespace {
-
-/// A step that stays within the bounds of a number.
-double step_within(const CalibrationParameter& one, double value) {
-  const double step = difference_step * one.scale;
-  return value + step <= one.highest ? step : -step;
-}
-
-}  // namespace
-
 FirstOrderInFem::FirstOrderInFem(const Observations& seen, std::vector<std::size_t> shots,
                                  const HypothesisFit& lumped, const FemBelief& fem,
-                                 FittedFem fitted)
-    : seen_(seen),
-      shots_(std::move(shots)),
-      fem_(fem),
-      fitted_(std::move(fitted)),
-      records_(seen_, shots_) {
-  records_.add_unknowns([](std::size_t) { return 0.0; }, record_unknowns_);
-  if (record_unknowns_.size() != fitted_.records.size())
+                                 const FittedFem& fitted)
+    : seen_(seen), shots_(std::move(shots)), fem_(fem), records_(seen_, shots_) {
+  const MaterialUnknowns of_material(guess_fem_material(seen_, shots_, lumped), fitted.material);
+  of_material.add(unknowns_);
+  for (const CalibrationParameter& one : unknowns_) at_fit_.push_back(one.start);
+  const auto physics = static_cast<std::ptrdiff_t>(at_fit_.size());
+  records_.add_unknowns([](std::size_t) { return 0.0; }, unknowns_);
+  at_fit_.insert(at_fit_.end(), fitted.records.begin(), fitted.records.end());
+  if (unknowns_.size() != at_fit_.size())
     throw Error(ExitCode::solver_failed, "a ball in FE was fitted to other records");
-  const MaterialUnknowns of_material(guess_fem_material(seen_, shots_, lumped), fitted_.material);
-  std::vector<CalibrationParameter> unknowns;
-  of_material.add(unknowns);
-  std::vector<double> numbers;
-  numbers.reserve(unknowns.size());
-  for (const CalibrationParameter& one : unknowns) numbers.push_back(one.start);
-  const auto impacts = impacts_in_fem(seen_, shots_, fem_, fitted_.material, {});
-  const auto count = static_cast<Eigen::Index>(unknowns.size() + record_unknowns_.size());
-  const Eigen::VectorXd at_fit = with_priors(fitted_.records, impacts);
-  Eigen::MatrixXd slopes(at_fit.size(), count);
-  Eigen::Index column = 0;
-  for (std::size_t k = 0; k < unknowns.size(); ++k) {
-    std::vector<double> moved = numbers;
-    const double step = step_within(unknowns[k], numbers[k]);
-    moved[k] += step;
-    const auto other = impacts_in_fem(seen_, shots_, fem_, of_material.at(moved), {});
-    slopes.col(column++) = (with_priors(fitted_.records, other) - at_fit) / step;
-  }
-  for (std::size_t k = 0; k < record_unknowns_.size(); ++k) {
-    std::vector<double> moved = fitted_.records;
-    const double step = step_within(record_unknowns_[k], moved[k]);
-    moved[k] += step;
-    slopes.col(column++) = (with_priors(moved, impacts) - at_fit) / step;
-  }
-  numbers_.emplace(at_fit, slopes);
+  material_ = of_material.at(at_fit_);
+  // A start or a scale moves no impact.
+  std::map<std::vector<double>, std::vector<ModelledImpact>> done;
+  const ResidualsWithJacobian found = with_differences(
+      unknowns_,
+      [&](const std::vector<double>& x) {
+        return with_priors(x, kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
+                             return impacts_in_fem(seen_, shots_, fem_, of_material.at(x), {});
+                           }));
+      },
+      at_fit_, difference_step);
+  using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto rows = static_cast<Eigen::Index>(found.residuals.size());
+  numbers_.emplace(Eigen::Map<const Eigen::VectorXd>(found.residuals.data(), rows),
+                   Eigen::Map<const Slopes>(found.slopes.data(), rows,
+                                            static_cast<Eigen::Index>(at_fit_.size())));
 }
 
 BesideFittedNumbers::Sums FirstOrderInFem::sums_of(const std::vector<EffectChoice>& effects) const {
-  const auto impacts = impacts_in_fem(seen_, shots_, fem_, fitted_.material, effects);
-  return numbers_->sums_of(with_priors(fitted_.records, impacts) - numbers_->residuals());
+  const std::vector<double> with =
+      with_priors(at_fit_, impacts_in_fem(seen_, shots_, fem_, material_, effects));
+  const auto rows = static_cast<Eigen::Index>(with.size());
+  return numbers_->sums_of(Eigen::Map<const Eigen::VectorXd>(with.data(), rows) -
+                           numbers_->residuals());
 }
 
-Eigen::VectorXd FirstOrderInFem::with_priors(const std::vector<double>& records,
-                                             const std::vector<ModelledImpact>& impacts) const {
-  std::vector<double> rows = records_.residuals(records, impacts);
-  for (std::size_t k = 0; k < records.size(); ++k)
-    if (const auto& prior = record_unknowns_[k].prior)
-      rows.push_back((records[k] - prior->mean) / prior->deviation);
-  return Eigen::Map<const Eigen::VectorXd>(rows.data(), static_cast<Eigen::Index>(rows.size()));
+std::vector<double> FirstOrderInFem::with_priors(const std::vector<double>& values,
+                                                 const std::vector<ModelledImpact>& impacts) const {
+  std::vector<double> rows = records_.residuals(values, impacts);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (const auto& prior = unknowns_[k].prior)
+      rows.push_back((values[k] - prior->mean) / prior->deviation);
+  return rows;
 }
 
 }  // namespace rebound

@@ -20,25 +20,26 @@ namespace rebound {
 ///          -> test BesideFem.AWeakSofteningIsSeenBesideFesOwnBall
 class FirstOrderInFem {
  public:
-  /// Errors: those of FE.
-  ///
   ///   fitted  with nothing hidden, by fit_fem_model()
+  ///
+  /// Errors: those of with_differences() and FE.
   FirstOrderInFem(const Observations& seen, std::vector<std::size_t> shots,
-                  const HypothesisFit& lumped, const FemBelief& fem, FittedFem fitted);
+                  const HypothesisFit& lumped, const FemBelief& fem, const FittedFem& fitted);
 
   /// Errors: those of FE at these numbers.
   BesideFittedNumbers::Sums sums_of(const std::vector<EffectChoice>& effects) const;
 
  private:
-  Eigen::VectorXd with_priors(const std::vector<double>& records,
-                              const std::vector<ModelledImpact>& impacts) const;
+  std::vector<double> with_priors(const std::vector<double>& values,
+                                  const std::vector<ModelledImpact>& impacts) const;
 
   const Observations& seen_;
   std::vector<std::size_t> shots_;
   const FemBelief& fem_;
-  FittedFem fitted_;
   RecordsOfShots records_;
-  std::vector<CalibrationParameter> record_unknowns_;
+  std::vector<CalibrationParameter> unknowns_;  ///< of the material, then of the records
+  std::vector<double> at_fit_;
+  Material material_;
   std::optional<BesideFittedNumbers> numbers_;  ///< always there once constructed
 };
 

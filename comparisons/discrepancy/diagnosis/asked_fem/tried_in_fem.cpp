@@ -4,6 +4,7 @@
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 
 namespace rebound {
+namespace {
 
 std::vector<std::string> effects_of_fem(const std::vector<EffectChoice>& present) {
   std::vector<std::string> names = absent_effects(present);
@@ -26,7 +27,7 @@ std::vector<std::string> free_forms_of_fem(const std::vector<EffectChoice>& pres
   return names;
 }
 
-std::vector<EffectChoice> starts_in_fem(const EffectCard& card, double contact_time) {
+std::vector<EffectChoice> starts_of(const EffectCard& card, double contact_time) {
   constexpr double half = 0.5;
   EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
   for (const EffectParameterCard& one : card.parameters)
@@ -38,6 +39,23 @@ std::vector<EffectChoice> starts_in_fem(const EffectCard& card, double contact_t
     start.size = larger * card.prior_scale;
     if (card.range.contains(start.size)) starts.push_back(start);
   }
+  return starts;
+}
+
+}  // namespace
+
+StartsOfEffects starts_of_named(const HypothesisFit& lumped) {
+  const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
+  StartsOfEffects starts;
+  for (const std::string& name : effects_of_fem(lumped.effects))
+    starts.push_back(starts_of(find_effect(name).card, contact_time));
+  return starts;
+}
+
+StartsOfEffects starts_of_free_forms(const Observations& seen, const HypothesisFit& lumped) {
+  StartsOfEffects starts;
+  for (const std::string& name : free_forms_of_fem(lumped.effects))
+    starts.push_back(starts_of_free_form(find_effect(name).card, seen, lumped));
   return starts;
 }
 

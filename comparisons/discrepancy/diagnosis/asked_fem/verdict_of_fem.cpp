@@ -13,6 +13,11 @@ namespace {
 
 constexpr double half = 0.5;
 
+/// What the lumped tier says of an effect that it did not find.
+std::string not_seen_in_lumped(const EffectInFem& one) {
+  return find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+}
+
 /// Share of the excess over the noise that has gone.
 double share_gone(double before, double after) {
   return before > 1.0 ? (before - std::max(1.0, after)) / (before - 1.0) : 0.0;
@@ -67,9 +72,15 @@ std::vector<const EffectInFem*> nearly_all_in_fem(const Diagnosis& d) {
 
 }  // namespace
 
+void sort_nearest_first(std::vector<EffectInFem>& in_fem) {
+  std::stable_sort(in_fem.begin(), in_fem.end(), [](const auto& a, const auto& b) {
+    return a.information_criterion < b.information_criterion;
+  });
+}
+
 EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
                           const SelectionRules& rules) {
-  one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+  one.lumped = not_seen_in_lumped(one);
   one.fem = explains(one, without, rules)   ? "supported"
             : *one.gap.after <= left_by_fem ? "rejected"
                                             : "no-fit";
@@ -96,7 +107,7 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
 void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
   if (d.in_fem.empty()) return;
   for (EffectInFem& one : d.in_fem) {
-    one.lumped = find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+    one.lumped = not_seen_in_lumped(one);
     one.fem = "rejected";
   }
   const EffectInFem& best = d.in_fem.front();

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
 /// What is said where nothing lumped explains the data, and FE was asked.
 namespace rebound {
+
+/// By criterion.
+void sort_nearest_first(std::vector<EffectInFem>& in_fem);
 
 /// What both tiers say of an effect. FE supports what pays, takes half of the gap, at the unseen
 /// speed too where one is seen there, and leaves what its errors may.

@@ -8,7 +8,6 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/tried_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
-#include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -24,18 +23,13 @@ struct PromisingEffect {
   double gain = 0.0;
 };
 
-/// All starts of one effect after the other.
 std::vector<EffectChoice> all_starts(const Diagnosis& d) {
   const HypothesisFit& lumped = d.selection.baseline.fit;
-  const double contact_time = lumped.model->impact(lumped.values, 0).scalars.contact_time;
   std::vector<EffectChoice> starts;
-  const auto add = [&](const std::vector<EffectChoice>& more) {
-    starts.insert(starts.end(), more.begin(), more.end());
-  };
-  for (const std::string& name : effects_of_fem(lumped.effects))
-    add(starts_in_fem(find_effect(name).card, contact_time));
-  for (const std::string& name : free_forms_of_fem(lumped.effects))
-    add(starts_of_free_form(find_effect(name).card, *d.seen, lumped));
+  for (const StartsOfEffects& effects :
+       {starts_of_named(lumped), starts_of_free_forms(*d.seen, lumped)})
+    for (const std::vector<EffectChoice>& of_one : effects)
+      starts.insert(starts.end(), of_one.begin(), of_one.end());
   return starts;
 }
 
@@ -91,9 +85,7 @@ void look_for_weak_effects_in_fem(Diagnosis& d, const Observations& all,
     if (gains_much(with)) without = balls.nearest_without_effects(*with, without);
   for (const auto& with : fits)
     if (gains_much(with)) d.in_fem.push_back(compare_tiers(d, balls, without, *with, 0));
-  std::stable_sort(d.in_fem.begin(), d.in_fem.end(), [](const auto& a, const auto& b) {
-    return a.information_criterion < b.information_criterion;
-  });
+  sort_nearest_first(d.in_fem);
   conclude_from_weak_effects(d, without);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;

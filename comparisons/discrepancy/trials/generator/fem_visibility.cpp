@@ -128,13 +128,11 @@ class FittedSoundBall {
   const SoundBall::Numbers& numbers() const { return ball_.numbers(); }
   const std::vector<Sampling>& samplings() const { return samplings_; }
 
-  /// The other elastic law that would take most; null where it is less than a third of one.
+  /// The other elastic law that would take most; null where that is less than 0.3 of one.
   const FemBall* law_worth_a_look() const {
     constexpr double worth_a_look = 0.3;
-    const std::vector<double> solution =
-        problem_of(trial_, hidden_, ball_).solution(SoundBall::made_of);
-    const auto first = solution.begin() + SoundBall::first_law;
-    const auto most = std::max_element(first, solution.begin() + SoundBall::gain);
+    const auto first = beside_ball_.begin() + SoundBall::first_law;
+    const auto most = std::max_element(first, beside_ball_.begin() + SoundBall::gain);
     return *most > worth_a_look ? &ball_.other_laws()[static_cast<std::size_t>(most - first)]
                                 : nullptr;
   }
@@ -176,7 +174,8 @@ class FittedSoundBall {
   void look() {
     ball_.record(samplings_);
     const LinearProblem problem = problem_of(trial_, hidden_, ball_);
-    left_ = problem.left_at(problem.solution(SoundBall::made_of));
+    beside_ball_ = problem.solution(SoundBall::made_of);
+    left_ = problem.left_at(beside_ball_);
     next_ = problem.solution();
   }
 
@@ -216,7 +215,8 @@ class FittedSoundBall {
   const Records& hidden_;
   SoundBall ball_;
   std::vector<Sampling> samplings_;
-  std::vector<double> next_;
+  std::vector<double> beside_ball_;  ///< all else, the ball as it is
+  std::vector<double> next_;         ///< the next step
   double left_ = 0.0;
 };
 

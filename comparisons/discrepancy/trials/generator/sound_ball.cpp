@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "comparisons/discrepancy/trials/generator/fem_materials.hpp"
@@ -78,8 +79,11 @@ SoundBall::Records SoundBall::records_of(const NoiseFree& free) const {
 void SoundBall::record(const std::vector<Sampling>& samplings) {
   samplings_ = samplings;
   force_ = records_of(ball_);
+  std::map<const NoiseFree*, Records> known;  // one ball is where many slopes begin
   for (std::size_t k = 0; k < slopes_.size(); ++k) {
-    const Records from = records_of(*slopes_[k].from);
+    const auto [place, is_new] = known.try_emplace(slopes_[k].from.get());
+    if (is_new) place->second = records_of(*slopes_[k].from);
+    const Records& from = place->second;
     Records records = records_of(*slopes_[k].to);
     for (std::size_t j = 0; j < records.size(); ++j)
       for (std::size_t i = 0; i < records[j].size(); ++i)
