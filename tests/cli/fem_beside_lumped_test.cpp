@@ -194,5 +194,19 @@ TEST_F(BesideFem, AQuietPlateOfManyRingsIsOfTheDynamics) {
   EXPECT_LT(found["in_fem"][0]["gap_after"].get<double>(), 1.5);
 }
 
+/// A fault of the measurement acts on the record of a ball of FE, which a lumped law misses by more
+/// than the fault is.
+TEST_F(BesideFem, ABurstOnTheRecordOfABallOfFemIsAFault) {
+  const auto found = beside_lumped(
+      ball("elastic = \"mooney-rivlin\"\nyoungs_modulus = \"40 MPa\"\npoisson_ratio = 0.45\n"
+           "second_share = 0.3\n" +
+           branch("1.2", "0.02 ms") +
+           "[[model.effect]]\nname = \"burst\"\nsize = \"300 N\"\nfrequency = \"3 kHz\"\n"
+           "decay_time = \"0.6 ms\"\ninstant = \"0.2 ms\"\n"),
+      "60 N");
+  EXPECT_EQ(found["verdict"], "measurement-fault") << found["warnings"];
+  EXPECT_EQ(found["family"], "measurement") << found["in_fem"];
+}
+
 }  // namespace
 }  // namespace rebound::testing

@@ -16,6 +16,7 @@
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/contradictions.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/suspected_fault.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/verdict.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "comparisons/models/fem_access/module_loader.hpp"
@@ -179,6 +180,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
   if (d.verdict == DiagnosisVerdict::agrees && d.law_alone)
     look_for_weak_effects_in_fem(d, all, {.interrupted = control.interrupted});
+  suspect_what_contradicts_momentum(d, all);
+  suspect_a_coarse_recorder(d);
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;

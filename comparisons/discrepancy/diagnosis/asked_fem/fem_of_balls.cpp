@@ -7,8 +7,6 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
-#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -24,17 +22,6 @@ std::optional<double> left_by_lumped(const Diagnosis& d, const std::set<std::str
     if (names == added) return one.fit.reduced_chi_square();
   }
   return std::nullopt;
-}
-
-/// Factors of strain have a form only where every branch relaxes all of the stress: beside them the
-/// ball is of that kind.
-FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects) {
-  FemProblem problem;
-  apply_effects(effects, problem);
-  if (problem.material.strain != StrainDependence{})
-    for (PronyBranch& branch : ball.material.branches) branch.relaxes = Relaxes::all;
-  ball.effects = effects;
-  return ball;
 }
 
 }  // namespace
@@ -57,10 +44,6 @@ FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
   for (std::size_t ball = 0; ball < near.size(); ++ball)
     near[ball] = with_effects(near[ball], effects_of_ball(effects, ball));
   return fit_near(near);
-}
-
-FemOfAllBalls FemOfBalls::fit_on_own_plates() const {
-  return fit_near(d_.fem_alone->balls);
 }
 
 FemOfAllBalls FemOfBalls::nearest_without_effects(const FemOfAllBalls& with,
@@ -98,32 +81,17 @@ double FemOfBalls::chi_square_with(const std::vector<EffectChoice>& effects,
   return chi_square;
 }
 
-std::vector<FirstOrderGain> FemOfBalls::first_order_gains(const std::vector<EffectChoice>& effects,
-                                                          const FemOfAllBalls& at) const {
-  using Sums = BesideFittedNumbers::Sums;
-  std::vector<Sums> sums(effects.size());
-  std::vector<bool> has_answer(effects.size(), true);
-  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+FirstOrderOfBalls FemOfBalls::first_order(const FemOfAllBalls& at) const {
+  std::vector<FirstOrderOfBalls::Ball> balls(all_.balls.size());
+  for (std::size_t ball = 0; ball < balls.size(); ++ball) {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
-    const FittedFem& own = at.balls[ball];
-    const FirstOrderInFem around(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem, own);
-    const auto of_ball = fit_each<Sums>(effects.size(), control_, [&](std::size_t k) {
-      const auto choices = effects_of_ball({effects[k]}, ball);
-      if (with_effects(own, choices).material != own.material)
-        throw Error(ExitCode::solver_failed, "this effect asks for another kind of ball");
-      return around.sums_of(choices);
-    });
-    for (std::size_t k = 0; k < effects.size(); ++k) {
-      has_answer[k] = has_answer[k] && of_ball[k].has_value();
-      if (!of_ball[k]) continue;
-      sums[k] += *of_ball[k];
-    }
+    balls[ball] = {
+        .fitted = at.balls[ball],
+        .around = std::make_unique<FirstOrderInFem>(seen_, shots, d_.selection.baseline.fit,
+                                                    *d_.fem_alone->fem, at.balls[ball])};
   }
-  std::vector<FirstOrderGain> gains(effects.size());
-  for (std::size_t k = 0; k < effects.size(); ++k)
-    if (has_answer[k]) gains[k] = sums[k].gain();
-  return gains;
+  return FirstOrderOfBalls(std::move(balls));
 }
 
 std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/asked_fem/first_order_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/first_order_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
@@ -34,8 +34,9 @@ class FemOfBalls {
   /// Errors: as fit_fem_model().
   FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
 
-  /// On the plates that FE has found under them, where it has.
-  FemOfAllBalls fit_on_own_plates() const;
+  /// From these balls with their effects; those of a diagnosis stand on the plates that FE has
+  /// found under them, where it has. Errors: as fit_fem_model().
+  FemOfAllBalls fit_near(const std::vector<FittedFem>& balls) const;
 
   /// With nothing hidden, from where a fit with effects has left the materials. What comes nearer
   /// than `without` stands in its place: an effect that only led a search for the material out of a
@@ -44,21 +45,18 @@ class FemOfBalls {
                                         const FemOfAllBalls& without) const;
 
   /// χ² of the shots that were fitted, with these numbers of the effects in place of those of
-  /// `near` and the materials as they are there; starts and scales of their own.
+  /// `near` and the materials as they are there; starts and speeds of their own.
   double chi_square_with(const std::vector<EffectChoice>& effects, const FemOfAllBalls& near) const;
 
-  /// What each of these effects would do to χ² of the shots that were fitted, to first order beside
-  /// a fit with nothing hidden; no gain of one that has no answer, or that asks for other balls.
-  std::vector<FirstOrderGain> first_order_gains(const std::vector<EffectChoice>& effects,
-                                                const FemOfAllBalls& at) const;
+  /// What effects would do beside a fit with nothing hidden, without a fit of theirs; this must
+  /// outlive it. Errors: those of FirstOrderInFem.
+  FirstOrderOfBalls first_order(const FemOfAllBalls& at) const;
 
-  /// χ² of the shots at the unseen speed over their samples, with starts and scales of their own
+  /// χ² of the shots at the unseen speed over their samples, with starts and speeds of their own
   /// and all else as it was fitted; nothing where no history is there.
   std::optional<double> unseen(const FemOfAllBalls& fitted) const;
 
  private:
-  FemOfAllBalls fit_near(const std::vector<FittedFem>& near) const;
-
   const Diagnosis& d_;
   const Observations& all_;
   RunControl control_;

@@ -31,8 +31,14 @@ class BesideFittedNumbers {
 
     Sums& operator+=(const Sums& other);
     FirstOrderGain gain() const;
+    /// Of an effect that is no multiple of anything, as a level at which readings end: what it does
+    /// to χ² as it stands, 0 where that rises; its factor is 1.
+    FirstOrderGain gain_as_it_stands() const;
   };
   Sums sums_of(const Eigen::VectorXd& change) const;
+
+  /// P r of other residuals r.
+  Eigen::VectorXd left(const Eigen::VectorXd& residuals) const;
 
   const Eigen::VectorXd& residuals() const { return residuals_; }
 

@@ -23,14 +23,17 @@ FirstOrderInFem::FirstOrderInFem(const Observations& seen, std::vector<std::size
   if (unknowns_.size() != at_fit_.size())
     throw Error(ExitCode::solver_failed, "a ball in FE was fitted to other records");
   material_ = of_material.at(at_fit_);
-  // A start or a scale moves no impact.
+  impacts_ = impacts_in_fem(seen_, shots_, fem_, material_, {});
+  // Gain, speed and start move no impact.
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
   const ResidualsWithJacobian found = with_differences(
       unknowns_,
       [&](const std::vector<double>& x) {
-        return with_priors(x, kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
-                             return impacts_in_fem(seen_, shots_, fem_, of_material.at(x), {});
-                           }));
+        return with_priors(
+            x,
+            kept_answer(done, {x.begin(), x.begin() + physics},
+                        [&] { return impacts_in_fem(seen_, shots_, fem_, of_material.at(x), {}); }),
+            {});
       },
       at_fit_, difference_step);
   using Slopes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -41,16 +44,25 @@ FirstOrderInFem::FirstOrderInFem(const Observations& seen, std::vector<std::size
 }
 
 BesideFittedNumbers::Sums FirstOrderInFem::sums_of(const std::vector<EffectChoice>& effects) const {
-  const std::vector<double> with =
-      with_priors(at_fit_, impacts_in_fem(seen_, shots_, fem_, material_, effects));
-  const auto rows = static_cast<Eigen::Index>(with.size());
-  return numbers_->sums_of(Eigen::Map<const Eigen::VectorXd>(with.data(), rows) -
-                           numbers_->residuals());
+  return numbers_->sums_of(residuals_with(effects) - numbers_->residuals());
+}
+
+Eigen::VectorXd FirstOrderInFem::left_with(const std::vector<EffectChoice>& effects) const {
+  return numbers_->left(residuals_with(effects));
+}
+
+Eigen::VectorXd FirstOrderInFem::residuals_with(const std::vector<EffectChoice>& effects) const {
+  const bool moves_the_ball = !physical_effects(effects).empty();
+  const std::vector<double> with = with_priors(
+      at_fit_, moves_the_ball ? impacts_in_fem(seen_, shots_, fem_, material_, effects) : impacts_,
+      effects);
+  return Eigen::Map<const Eigen::VectorXd>(with.data(), static_cast<Eigen::Index>(with.size()));
 }
 
 std::vector<double> FirstOrderInFem::with_priors(const std::vector<double>& values,
-                                                 const std::vector<ModelledImpact>& impacts) const {
-  std::vector<double> rows = records_.residuals(values, impacts);
+                                                 const std::vector<ModelledImpact>& impacts,
+                                                 const std::vector<EffectChoice>& effects) const {
+  std::vector<double> rows = records_.residuals(values, impacts, effects);
   for (std::size_t k = 0; k < values.size(); ++k)
     if (const auto& prior = unknowns_[k].prior)
       rows.push_back((values[k] - prior->mean) / prior->deviation);

@@ -26,11 +26,13 @@ inline bool act_on_the_surface(const std::vector<EffectChoice>& effects) {
 struct FittedFem {
   Material material;
   std::vector<EffectChoice> effects;  ///< with fitted numbers
-  std::vector<double> records;        ///< scale and start of every shot, as they were fitted
+  std::vector<double> records;        ///< unknowns of RecordsOfShots, as they were fitted
   double chi_square = 0.0;            ///< Σ r² over histories and priors
   std::size_t samples = 0;            ///< of the histories
   double effect_unknowns = 0.0;       ///< fitted numbers of the effects
 
+  /// Of the force, as it was fitted [-].
+  double gain() const { return records.empty() ? 0.0 : records.front(); }
   bool is_far() const { return chi_square > far_from_data * static_cast<double>(samples); }
   bool follows() const { return chi_square <= left_by_fem * static_cast<double>(samples); }
 };

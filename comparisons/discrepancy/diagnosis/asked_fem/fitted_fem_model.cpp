@@ -18,7 +18,7 @@ namespace {
 constexpr double longer_steps = 5.0;
 constexpr double cost_tolerance = 3e-4;  // what nodes that touch one by one leave of the cost
 
-/// Scales and starts of records begin where another fit to the same shots has left them.
+/// Gain, speeds and starts of records begin where another fit to the same shots has left them.
 void start_records_at(const std::vector<double>& values, std::ptrdiff_t first,
                       std::vector<CalibrationParameter>& unknowns) {
   if (values.size() + static_cast<std::size_t>(first) != unknowns.size()) return;
@@ -26,6 +26,18 @@ void start_records_at(const std::vector<double>& values, std::ptrdiff_t first,
     CalibrationParameter& one = unknowns[static_cast<std::size_t>(first) + k];
     one.start = std::clamp(values[k], one.lowest, one.highest);
   }
+}
+
+/// Of the unknowns those that move an impact: numbers of the material, which come first, and of
+/// physical effects. Gain, speed and start of a record do not, nor does a fault of the measurement.
+std::vector<double> what_moves_an_impact(const std::vector<double>& x, std::size_t of_material,
+                                         const EffectUnknowns& of_effects,
+                                         const std::vector<EffectChoice>& effects) {
+  std::vector<double> moving(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(of_material));
+  for (std::size_t k = 0; k < effects.size(); ++k)
+    if (!is_measurement(effects[k].name))
+      for (const std::size_t place : of_effects.places(k)) moving.push_back(x[place]);
+  return moving;
 }
 
 CalibrationControls controls_in_fem(Differences differences) {
@@ -53,14 +65,24 @@ CalibrationResult searched(CalibrationProblem& problem, const RunControl& contro
 
 }  // namespace
 
+FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects) {
+  FemProblem problem;
+  apply_effects(physical_effects(effects), problem);
+  if (problem.material.strain != StrainDependence{})
+    for (PronyBranch& branch : ball.material.branches) branch.relaxes = Relaxes::all;
+  ball.effects = effects;
+  return ball;
+}
+
 std::vector<ModelledImpact> impacts_in_fem(const Observations& seen,
                                            const std::vector<std::size_t>& shots,
                                            const FemBelief& fem, const Material& material,
                                            const std::vector<EffectChoice>& effects) {
+  const std::vector<EffectChoice> physical = physical_effects(effects);
   std::vector<ModelledImpact> impacts(shots.size());
   in_parallel(shots.size(), [&](std::size_t k) {
     const MeasuredImpact& shot = seen.shots[shots[k]];
-    impacts[k] = fem.run(shot.ball, shot.impact, material, effects);
+    impacts[k] = fem.run(shot.ball, shot.impact, material, physical);
   });
   return impacts;
 }
@@ -77,12 +99,11 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
   const auto physics = static_cast<std::ptrdiff_t>(calibration.parameters.size());
   for (std::size_t k = of_material.count(); k < calibration.parameters.size(); ++k)
     if (calibration.parameters[k].scale < 1.0) calibration.parameters[k].scale *= longer_steps;
-  // A start or a scale moves no impact.
   std::map<std::vector<double>, std::vector<ModelledImpact>> done;
   const auto impacts_at = [&](const std::vector<double>& x) -> const std::vector<ModelledImpact>& {
-    return kept_answer(done, {x.begin(), x.begin() + physics}, [&] {
-      return impacts_in_fem(seen, shots, fem, of_material.at(x), of_effects.at(x));
-    });
+    return kept_answer(
+        done, what_moves_an_impact(x, of_material.count(), of_effects, effects),
+        [&] { return impacts_in_fem(seen, shots, fem, of_material.at(x), of_effects.at(x)); });
   };
   FirstTouches touches;
   for (const std::size_t shot : shots)
@@ -91,14 +112,14 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
     // The material is that of a fit: what is left of the start is the effect's.
     std::vector<double> first;
     for (const CalibrationParameter& one : calibration.parameters) first.push_back(one.start);
-    touches = nearest_first_touches(seen, shots, impacts_at(first), touches);
+    touches = nearest_first_touches(seen, shots, impacts_at(first), effects, near->gain(), touches);
   }
   RecordsOfShots records(seen, shots);
   records.add_unknowns([&](std::size_t shot) { return touches.at(shot); }, calibration.parameters);
   if (near && !act_on_the_surface(effects))
     start_records_at(near->records, physics, calibration.parameters);
   calibration.residuals = [&](const std::vector<double>& x) {
-    return records.residuals(x, impacts_at(x));
+    return records.residuals(x, impacts_at(x), of_effects.at(x));
   };
   calibration.noise = NoiseKnowledge::known;
   const CalibrationResult found = searched(calibration, control, depth);
@@ -117,14 +138,14 @@ double chi_square_of(const Observations& shots_of, const std::vector<std::size_t
                      const FemBelief& fem, const FittedFem& fitted, const RunControl& control) {
   const auto impacts = impacts_in_fem(shots_of, shots, fem, fitted.material, fitted.effects);
   CalibrationProblem calibration;
-  RecordsOfShots records(shots_of, shots);
+  RecordsOfShots records(shots_of, shots, fitted.gain());
   FirstTouches touches;
   for (std::size_t k = 0; k < shots.size(); ++k)
     touches[shots[k]] = rise_time(shots_of.shots[shots[k]].trace) - rise_time(impacts[k].trace);
-  touches = nearest_first_touches(shots_of, shots, impacts, touches);
+  touches = nearest_first_touches(shots_of, shots, impacts, fitted.effects, fitted.gain(), touches);
   records.add_unknowns([&](std::size_t shot) { return touches.at(shot); }, calibration.parameters);
   calibration.residuals = [&](const std::vector<double>& x) {
-    return records.residuals(x, impacts);
+    return records.residuals(x, impacts, fitted.effects);
   };
   calibration.noise = NoiseKnowledge::known;
   calibration.controls = controls_in_fem(Differences::one_sided);

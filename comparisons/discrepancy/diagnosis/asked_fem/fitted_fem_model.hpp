@@ -17,6 +17,10 @@ enum class SearchDepth { near, whole };
 
 inline constexpr double difference_step = 0.01;  // of a logarithm: above FE's step noise
 
+/// The same ball with these effects. Factors of strain have a form only where every branch relaxes
+/// all of the stress: beside them the ball is of that kind.
+FittedFem with_effects(FittedFem ball, const std::vector<EffectChoice>& effects);
+
 /// The shots run in FE, side by side.
 /// Errors: those of FE.
 std::vector<ModelledImpact> impacts_in_fem(const Observations& seen,
@@ -26,16 +30,15 @@ std::vector<ModelledImpact> impacts_in_fem(const Observations& seen,
 
 /// FE's own idea of a ball that hides nothing but these effects.
 ///
-///   unknown are the numbers of its material (MaterialUnknowns), those of the effects, and for each
-///   shot the start and the scale of the force within what gain and speed leave open
+///   unknown are the numbers of its material (MaterialUnknowns), those of the effects, and those of
+///   the records (RecordsOfShots)
 ///
-///   effects    where their numbers start; none: FE with nothing hidden
+///   effects    where their numbers start; none: FE with nothing hidden. Faults of the measurement
+///              among them act on the records
 ///   near       the kind of material and where it starts, of a fit without effects; null:
 ///              guess_fem_material()
 ///
-/// Caution: an error of the speed is taken as one of the force's scale alone,
-///          F ~ v^1.2; the loss is what a fast branch gives, whatever the
-///          believed law says.
+/// Caution: the loss is what a fast branch gives, whatever the believed law says.
 /// Limit:   data of FE itself, of another Poisson ratio and branch, are followed within their noise
 ///          -> test BesideFem.ImpactsOfFemLackNothing.
 /// Errors:  those of calibrate() and FE; Error(solver_failed) without a shot.
@@ -44,8 +47,8 @@ FittedFem fit_fem_model(const Observations& seen, const std::vector<std::size_t>
                         const std::vector<EffectChoice>& effects, const FittedFem* near,
                         const RunControl& control, SearchDepth depth = SearchDepth::near);
 
-/// What a fitted ball leaves of other shots: Σ r² over histories and priors, with start and scale
-/// of every shot found anew and all else as it was fitted.
+/// What a fitted ball leaves of other shots: Σ r² over histories and priors, with start and speed
+/// of every shot found anew and all else, the gain too, as it was fitted.
 /// Errors: as above.
 double chi_square_of(const Observations& shots_of, const std::vector<std::size_t>& shots,
                      const FemBelief& fem, const FittedFem& fitted, const RunControl& control);

@@ -23,10 +23,10 @@ ModelledImpact at_other_speed(ModelledImpact impact, double factor) {
 }
 
 double nearest_first_touch(const Observations& seen, std::size_t shot, const ModelledImpact& impact,
-                           double near) {
+                           const std::vector<EffectChoice>& effects, double gain, double near) {
   constexpr int half_samples = 4;
   const std::vector<std::size_t> alone{shot};
-  RecordsOfShots record(seen, alone);
+  RecordsOfShots record(seen, alone, gain);
   std::vector<CalibrationParameter> unknowns;
   record.add_unknowns([&](std::size_t) { return near; }, unknowns);
   const std::vector<double>& time = seen.shots[shot].trace.time;
@@ -41,7 +41,7 @@ double nearest_first_touch(const Observations& seen, std::size_t shot, const Mod
   double nearest = near, least = std::numeric_limits<double>::infinity();
   for (int k = -half_samples; k <= half_samples; ++k) {
     const double touch = near + k * half_a_sample;
-    const double left = half_square(record.residuals(at_touch(touch), {impact}));
+    const double left = half_square(record.residuals(at_touch(touch), {impact}, effects));
     if (left < least) {
       least = left;
       nearest = touch;
@@ -54,18 +54,20 @@ double nearest_first_touch(const Observations& seen, std::size_t shot, const Mod
 
 void RecordsOfShots::add_unknowns(const std::function<double(std::size_t shot)>& first_touch,
                                   std::vector<CalibrationParameter>& unknowns) {
-  for (const std::size_t i : shots_) {
-    const MeasuredImpact& shot = seen_.shots[i];
+  if (!known_gain_) {
     const double deviation = seen_.gain_uncertainty + 1e-4;
     nuisances_.add(find_nuisance("gain"),
-                   {.name = "scale, " + shot.label,
+                   {.name = "gain",
                     .unit = "1",
                     .start = 0.0,
                     .lowest = -0.5,
                     .highest = 0.5,
                     .scale = deviation,
                     .prior = Prior{0.0, deviation}},
-                   {i}, unknowns);
+                   shots_, unknowns);
+  }
+  for (const std::size_t i : shots_) {
+    const MeasuredImpact& shot = seen_.shots[i];
     if (const double of_speed = shot.speed_uncertainty.value_or(0.0) / shot.impact.speed;
         of_speed > 0.0)
       nuisances_.add(find_nuisance("speed"),
@@ -90,12 +92,15 @@ void RecordsOfShots::add_unknowns(const std::function<double(std::size_t shot)>&
 }
 
 std::vector<double> RecordsOfShots::residuals(const std::vector<double>& values,
-                                              const std::vector<ModelledImpact>& impacts) const {
+                                              const std::vector<ModelledImpact>& impacts,
+                                              const std::vector<EffectChoice>& effects) const {
   std::vector<double> residuals;
   for (std::size_t k = 0; k < shots_.size(); ++k) {
     const MeasuredImpact& shot = seen_.shots[shots_[k]];
     MeasurementChain chain = stated_chain(shot);
+    apply_effects(effects, chain);
     nuisances_.apply(values, shots_[k], chain);
+    chain.force_gain += known_gain_.value_or(0.0);
     const auto& time = shot.trace.time;
     const ModelledImpact impact = at_other_speed(impacts[k], 1.0 / (1.0 + chain.speed_error));
     const auto r =
@@ -109,9 +114,12 @@ std::vector<double> RecordsOfShots::residuals(const std::vector<double>& values,
 }
 
 FirstTouches nearest_first_touches(const Observations& seen, const std::vector<std::size_t>& shots,
-                                   const std::vector<ModelledImpact>& impacts, FirstTouches near) {
+                                   const std::vector<ModelledImpact>& impacts,
+                                   const std::vector<EffectChoice>& effects, double gain,
+                                   FirstTouches near) {
   for (std::size_t k = 0; k < shots.size(); ++k)
-    near.at(shots[k]) = nearest_first_touch(seen, shots[k], impacts[k], near.at(shots[k]));
+    near.at(shots[k]) =
+        nearest_first_touch(seen, shots[k], impacts[k], effects, gain, near.at(shots[k]));
   return near;
 }
 

@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/tried_in_fem.hpp"
 
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_grid.hpp"
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 
 namespace rebound {
@@ -57,6 +58,25 @@ StartsOfEffects starts_of_free_forms(const Observations& seen, const HypothesisF
   for (const std::string& name : free_forms_of_fem(lumped.effects))
     starts.push_back(starts_of_free_form(find_effect(name).card, seen, lumped));
   return starts;
+}
+
+StartsOfEffects starts_of_faults(const Observations& seen, const HypothesisFit& lumped) {
+  StartsOfEffects starts;
+  for (const std::string& name : absent_effects(lumped.effects)) {
+    const EffectCard& card = find_effect(name).card;
+    if (!is_measurement(name)) continue;
+    starts.push_back(card.is_linear ? small_effects(card, seen, GridDetail::fine)
+                                    : finite_effects(card, seen, GridDetail::fine));
+  }
+  return starts;
+}
+
+StartsOfEffects all_starts(const Observations& seen, const HypothesisFit& lumped) {
+  StartsOfEffects all = starts_of_named(lumped);
+  for (const StartsOfEffects& more :
+       {starts_of_free_forms(seen, lumped), starts_of_faults(seen, lumped)})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 }  // namespace rebound

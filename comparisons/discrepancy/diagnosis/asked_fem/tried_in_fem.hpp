@@ -21,4 +21,11 @@ StartsOfEffects starts_of_named(const HypothesisFit& lumped);
 /// the data, a family may.
 StartsOfEffects starts_of_free_forms(const Observations& seen, const HypothesisFit& lumped);
 
+/// Of faults of the measurement, over all that is tried of their numbers: they act on the record
+/// of a ball, and no impact is run for them.
+StartsOfEffects starts_of_faults(const Observations& seen, const HypothesisFit& lumped);
+
+/// Of all these in turn.
+StartsOfEffects all_starts(const Observations& seen, const HypothesisFit& lumped);
+
 }  // namespace rebound

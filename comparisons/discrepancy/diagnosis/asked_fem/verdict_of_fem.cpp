@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/suspected_fault.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 
 namespace rebound {
@@ -121,17 +122,20 @@ void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
     d.candidates.push_back({one.effect.name});
     of_one_family = of_one_family && one.family == best.family;
   }
-  d.verdict = of_one_family ? DiagnosisVerdict::family : DiagnosisVerdict::one_of;
-  d.family = of_one_family ? best.family : EffectFamily::none;
   d.excluded.clear();
   d.gap.before = best.gap.before;
   d.gap.after = best.gap.after;
   d.gap.held_out_before = best.gap.held_out_before;
   d.gap.held_out_after = best.gap.held_out_after;
-  d.withheld = fmt::format(
+  const std::string better = fmt::format(
       "FE with nothing hidden follows the data, and follows them better with {}: by {:.0f} in χ², "
-      "and at the unseen speed from {:.3g} to {:.3g}; beside a lumped law that is not seen",
+      "and at the unseen speed from {:.3g} to {:.3g}",
       best.effect.name, gain, *best.gap.held_out_before, *best.gap.held_out_after);
+  if (of_one_family && best.family == EffectFamily::measurement)
+    return suspect_measurement(d, d.candidates, better);
+  d.verdict = of_one_family ? DiagnosisVerdict::family : DiagnosisVerdict::one_of;
+  d.family = of_one_family ? best.family : EffectFamily::none;
+  d.withheld = better + "; beside a lumped law that is not seen";
 }
 
 void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
@@ -143,14 +147,16 @@ void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
                   [&](const EffectInFem* one) { return one->family != family; }))
     return;
   drop_candidates(d);
+  for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
+  const std::string taken =
+      fmt::format("in FE {} takes the gap from {:.3g} to {:.3g}", candidates.front()->effect.name,
+                  *candidates.front()->gap.before, *candidates.front()->gap.after);
+  if (family == EffectFamily::measurement)
+    return suspect_measurement(d, d.candidates,
+                               taken + ", and beside a lumped law it does not explain the data");
   d.verdict = DiagnosisVerdict::family;
   d.family = family;
-  for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
-  d.withheld = fmt::format(
-      "it depends on the tier: in FE {} takes the gap from {:.3g} to {:.3g}, and no lumped form "
-      "explains the data",
-      candidates.front()->effect.name, *candidates.front()->gap.before,
-      *candidates.front()->gap.after);
+  d.withheld = "it depends on the tier: " + taken + ", and no lumped form explains the data";
 }
 
 }  // namespace rebound

@@ -183,18 +183,6 @@ void withdraw_what_cannot_fail(Diagnosis& d, const SelectionRules& rules) {
   if (withdrawn.size() > 1) d.next = next_experiments(*d.seen, withdrawn, rules.close_criterion);
 }
 
-/// Nothing but the rounding of a recorder stands between model and data.
-void blame_the_recorder(Diagnosis& d) {
-  d.verdict = DiagnosisVerdict::measurement_fault;
-  d.family = EffectFamily::measurement;
-  d.candidates = {{"quantisation"}};
-  d.fault = fmt::format(
-      "quantisation: readings are rounded to steps of {:.3g} N, more than twice all other noise; "
-      "within that the model agrees",
-      d.seen->coarse_step);
-  d.excluded = d.selection.excluded;
-}
-
 void locate(Diagnosis& d) {
   const ResidualMap& map = d.believed.map;
   for (const MapCell& cell : map.cells)
@@ -220,8 +208,6 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
     if (d.verdict == DiagnosisVerdict::missing && speed_clusters(*d.seen).size() < 2)
       withhold(d, without_name(d),
                "all shots have one speed, so that nothing is seen to hold at another");
-  } else if (d.seen->coarse_step > 0.0) {
-    blame_the_recorder(d);
   } else {
     d.verdict = DiagnosisVerdict::agrees;
     d.excluded = d.selection.excluded;

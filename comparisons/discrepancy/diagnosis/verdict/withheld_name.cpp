@@ -8,17 +8,16 @@
 
 #include "comparisons/discrepancy/diagnosis/search/limits_of_memory.hpp"
 #include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/suspected_fault.hpp"
 
 namespace rebound {
 namespace {
 
 /// A shot that contradicts its own repeats is a fault of that shot.
 void suspect_shot(Diagnosis& d, const MeasuredImpact& shot) {
-  d.verdict = DiagnosisVerdict::measurement_fault;
-  d.family = EffectFamily::measurement;
-  d.candidates = {{"odd-shot"}};
-  d.fault = fmt::format("odd-shot (shot {}, {}), which contradicts its own repeats", shot.number,
-                        shot.label);
+  suspect_measurement(d, {{"odd-shot"}},
+                      fmt::format("odd-shot (shot {}, {}), which contradicts its own repeats",
+                                  shot.number, shot.label));
   d.excluded.clear();
 }
 
@@ -76,8 +75,8 @@ void let_the_believed_model_stand(Diagnosis& d) {
   d.fault.clear();
 }
 
-/// A fault that all shots share would be there at the unseen speed, too; one of a single shot is
-/// not.
+/// Is the candidate that comes nearest a fault that all shots share? It would be there at the
+/// unseen speed, too; one of a single shot is not.
 bool is_shared_fault(const Diagnosis& d) {
   const auto of_a_shot = [](const std::string& name) {
     const auto& parameters = find_effect(name).card.parameters;
@@ -85,10 +84,9 @@ bool is_shared_fault(const Diagnosis& d) {
       return one.kind == ParameterKind::shot;
     });
   };
-  return d.verdict == DiagnosisVerdict::measurement_fault &&
-         std::all_of(d.candidates.begin(), d.candidates.end(), [&](const auto& names) {
-           return std::none_of(names.begin(), names.end(), of_a_shot);
-         });
+  if (d.verdict != DiagnosisVerdict::measurement_fault) return false;
+  const std::vector<std::string>& nearest = d.candidates.front();
+  return std::none_of(nearest.begin(), nearest.end(), of_a_shot);
 }
 
 /// Does the unseen speed fit worse with a fault that all shots share, beyond what chance does?

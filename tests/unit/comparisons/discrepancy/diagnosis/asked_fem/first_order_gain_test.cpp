@@ -37,6 +37,20 @@ TEST(FirstOrderGainTest, WhatTheNumbersCanDoGainsNothing) {
       << "what is left of it is ripple";
 }
 
+/// A level at which readings end is no multiple of anything.
+TEST(FirstOrderGainTest, AsItStandsItGainsWhatItDoesToTheWhole) {
+  const Case one;
+  const BesideFittedNumbers beside = one.beside(3.0);
+  const auto gained_by = [&](double times) {
+    return beside.sums_of(times * one.change).gain_as_it_stands().chi_square;
+  };
+  const double all = beside.residuals().squaredNorm();
+  EXPECT_NEAR(gained_by(3.0), all, 1e-12);
+  EXPECT_NEAR(gained_by(1.0), all * (1.0 - 4.0 / 9.0), 1e-12) << "two thirds are left";
+  EXPECT_EQ(gained_by(7.0), 0.0) << "χ² rises";
+  EXPECT_NEAR(beside.left(beside.residuals() + 3.0 * one.change).norm(), 0.0, 1e-12);
+}
+
 TEST(FirstOrderGainTest, BallsThatShareAnEffectAddUp) {
   const Case one;
   BesideFittedNumbers::Sums sums = one.beside(3.0).sums_of(one.change);

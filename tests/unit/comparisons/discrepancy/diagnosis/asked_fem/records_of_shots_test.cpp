@@ -40,7 +40,7 @@ std::vector<double> push_residuals(const Observations& seen, double restitution)
   RecordsOfShots records(seen, shots);
   std::vector<CalibrationParameter> unknowns;
   records.add_unknowns([](std::size_t) { return 0.0; }, unknowns);
-  return records.residuals({0.0, 0.0}, {modelled_push(seen.shots.front(), restitution)});
+  return records.residuals({0.0, 0.0}, {modelled_push(seen.shots.front(), restitution)}, {});
 }
 
 TEST(RecordsOfShotsTest, ARestitutionIsOneMoreResidual) {
@@ -79,13 +79,58 @@ TEST(RecordsOfShotsTest, ASpeedWithinItsErrorIsAnUnknown) {
   std::vector<double> values(3, 0.0);
   const auto largest = [&] {
     double most = 0.0;
-    for (const double r : records.residuals(values, {as_stated}))
+    for (const double r : records.residuals(values, {as_stated}, {}))
       most = std::max(most, std::abs(r));
     return most;
   };
   EXPECT_GT(largest(), 1.0);
   values[1] = 1.0 / (1.0 + faster) - 1.0;  // stated over true, less one
   EXPECT_LT(largest(), 0.1);
+}
+
+/// A load cell has one gain. A gain of each shot would take up what an effect does to how the force
+/// grows with the speed.
+TEST(RecordsOfShotsTest, OneGainServesAllShots) {
+  Observations seen;
+  seen.gain_uncertainty = 0.02;
+  seen.shots = {half_sine_push(), half_sine_push()};
+  for (double& force : seen.shots[1].trace.force) force *= 1.1;
+  const std::vector<std::size_t> shots{0, 1};
+  RecordsOfShots records(seen, shots);
+  std::vector<CalibrationParameter> unknowns;
+  records.add_unknowns([](std::size_t) { return 0.0; }, unknowns);
+  ASSERT_EQ(unknowns.size(), 3u) << "the gain, and a start of each shot";
+  const ModelledImpact push_of_both = modelled_push(half_sine_push(), 0.75);
+  const auto rows = records.residuals({0.1, 0.0, 0.0}, {push_of_both, push_of_both}, {});
+  EXPECT_NEAR(std::abs(rows[25]), 10.0, 1e-6) << "a tenth of the peak over 10 N";
+  EXPECT_NEAR(rows[51 + 25], 0.0, 1e-6);
+  RecordsOfShots of_known_gain(seen, shots, 0.1);
+  std::vector<CalibrationParameter> starts;
+  of_known_gain.add_unknowns([](std::size_t) { return 0.0; }, starts);
+  ASSERT_EQ(starts.size(), 2u);
+  EXPECT_EQ(of_known_gain.residuals({0.0, 0.0}, {push_of_both, push_of_both}, {}), rows);
+}
+
+/// Faults of the measurement act on the records of a ball of FE as on those of a law.
+TEST(RecordsOfShotsTest, AFaultActsOnTheRecord) {
+  Observations seen;
+  seen.shots = {half_sine_push()};
+  for (double& force : seen.shots.front().trace.force) force = std::min(force, 0.8 * push);
+  const std::vector<std::size_t> shots{0};
+  RecordsOfShots records(seen, shots);
+  std::vector<CalibrationParameter> unknowns;
+  records.add_unknowns([](std::size_t) { return 0.0; }, unknowns);
+  const ModelledImpact whole = modelled_push(half_sine_push(), 0.75);
+  const auto largest = [&](const std::vector<EffectChoice>& effects) {
+    double most = 0.0;
+    for (const double r : records.residuals({0.0, 0.0}, {whole}, effects))
+      most = std::max(most, std::abs(r));
+    return most;
+  };
+  EXPECT_NEAR(largest({}), 20.0, 1e-6);
+  EXPECT_NEAR(largest({{.name = "clipping", .size = 0.8 * push, .parameters = {}}}), 0.0, 1e-6);
+  EXPECT_NEAR(largest({{.name = "relaxation", .size = 0.5, .parameters = {}}}), 20.0, 1e-6)
+      << "what is physical is in the impact already";
 }
 
 /// Errors of a mesh are independent of those of the data: their squares add.

@@ -43,6 +43,14 @@ TEST(VerdictOfFem, WhatExplainsTheDataGivesItsFamily) {
   EXPECT_EQ(d.candidates, (std::vector<std::vector<std::string>>{{"adhesion"}}));
 }
 
+TEST(VerdictOfFem, AFaultThatExplainsTheDataIsOfTheMeasurement) {
+  const Diagnosis d = concluded({tried("burst", 1.2), tried("permanent-set", 8.0)});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+  EXPECT_EQ(d.family, EffectFamily::measurement);
+  EXPECT_EQ(d.candidates, (std::vector<std::vector<std::string>>{{"burst"}}));
+  EXPECT_NE(d.fault.find("burst takes the gap from 10 to 1.2"), std::string::npos) << d.fault;
+}
+
 TEST(VerdictOfFem, TwoFamiliesWithinReachGiveNone) {
   EffectInFem rival = tried("permanent-set", 1.2);
   rival.information_criterion += 5.0;

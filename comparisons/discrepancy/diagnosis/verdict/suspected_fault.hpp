@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+
+namespace rebound {
+
+/// The verdict is a fault of the measurement: what physics was found before is dropped.
+///
+///   candidates   faults by name, one of which it is; empty: the data say that there is one, and
+///                not which
+///   fault        in words, for the headline
+void suspect_measurement(Diagnosis& diagnosis, std::vector<std::vector<std::string>> candidates,
+                         std::string fault);
+
+/// Where a model agrees with readings that are rounded to steps of more than twice all other noise,
+/// the steps are said: within them it agrees.
+void suspect_a_coarse_recorder(Diagnosis& diagnosis);
+
+/// Where nothing explains the data, and impulse, energy or restitution contradict each other as no
+/// fitted model does: momentum balance holds whatever the contact is.
+///
+/// Repeats that differ are not of them, for a ball may change from shot to shot.
+/// Valid:   plate at rest, or one that a fitted model has; no force on the ball outside the contact
+///          -> a magnet under the plate contradicts the balance too.
+/// Limit:   a shot with a gain of its own that no fit has seen is a fault
+///          -> test SuspectedFaultTest.AShotAgainstItsImpulseIsAFault.
+/// Errors:  as JointModel.
+void suspect_what_contradicts_momentum(Diagnosis& diagnosis, const Observations& all);
+
+}  // namespace rebound

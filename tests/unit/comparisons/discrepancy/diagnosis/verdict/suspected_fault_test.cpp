@@ -1,0 +1,78 @@
+#include "comparisons/discrepancy/diagnosis/verdict/suspected_fault.hpp"
+
+#include <gtest/gtest.h>
+
+#include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+/// Restitutions of their own; the forces of shot 2 are too large by this factor.
+Observations with_second_shot_times(double factor) {
+  SynthesisFile file = testing::experiment_with({}, 1);
+  for (SynthesisShot& shot : file.shots) shot.restitution_uncertainty = 0.01;
+  Dataset dataset = synthesize(file, simulator_of(file, {})).dataset;
+  for (double& force : dataset.shots[1].trace.force) force *= factor;
+  return observe({dataset});
+}
+
+Diagnosis suspected(const Observations& all, DiagnosisVerdict verdict) {
+  Diagnosis d;
+  d.seen = std::make_shared<const Observations>(all);
+  d.checks = check_data(all);
+  d.contradictions = contradictions_among(d.checks);
+  d.selection.baseline.fit =
+      fit_hypothesis(all, {.believed = testing::believed_law(), .effects = {}});
+  d.verdict = verdict;
+  suspect_what_contradicts_momentum(d, all);
+  return d;
+}
+
+TEST(SuspectedFaultTest, AShotAgainstItsImpulseIsAFault) {
+  const Observations all = with_second_shot_times(1.3);
+  const Diagnosis d = suspected(all, DiagnosisVerdict::unexplained);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+  EXPECT_EQ(d.family, EffectFamily::measurement);
+  EXPECT_NE(d.fault.find(all.shots[1].label), std::string::npos) << d.fault;
+}
+
+TEST(SuspectedFaultTest, WithoutAContradictionNothingIsSuspected) {
+  EXPECT_EQ(suspected(with_second_shot_times(1.0), DiagnosisVerdict::unexplained).verdict,
+            DiagnosisVerdict::unexplained);
+}
+
+TEST(SuspectedFaultTest, WhatIsExplainedStands) {
+  EXPECT_EQ(suspected(with_second_shot_times(1.3), DiagnosisVerdict::missing).verdict,
+            DiagnosisVerdict::missing);
+}
+
+TEST(SuspectedFaultTest, RepeatsThatDifferMayBeTheBall) {
+  const Observations all = with_second_shot_times(1.0);
+  Diagnosis d;
+  d.seen = std::make_shared<const Observations>(all);
+  d.selection.baseline.fit =
+      fit_hypothesis(all, {.believed = testing::believed_law(), .effects = {}});
+  d.verdict = DiagnosisVerdict::unexplained;
+  d.contradictions = {{.what = "repeat", .of = "a", .measured = 9.0, .error = 1.0}};
+  suspect_what_contradicts_momentum(d, all);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+}
+
+TEST(SuspectedFaultTest, CoarseReadingsThatAgreeAreOfTheRecorder) {
+  Observations coarse;
+  coarse.coarse_step = 24.0;
+  Diagnosis d;
+  d.seen = std::make_shared<const Observations>(coarse);
+  d.verdict = DiagnosisVerdict::unexplained;
+  suspect_a_coarse_recorder(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  d.verdict = DiagnosisVerdict::agrees;
+  suspect_a_coarse_recorder(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+  EXPECT_NE(d.fault.find("24 N"), std::string::npos) << d.fault;
+}
+
+}  // namespace
+}  // namespace rebound
