@@ -175,7 +175,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     ask_fem_of_names(d, all, request.rules, {.interrupted = control.interrupted});
   const bool no_single_family =
       d.verdict == DiagnosisVerdict::unexplained ||
-      (d.verdict == DiagnosisVerdict::family && d.family == EffectFamily::none);
+      ((d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::one_of) &&
+       d.family == EffectFamily::none);
   if (no_single_family && d.fem_alone)
     look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
   if (d.verdict == DiagnosisVerdict::agrees && d.law_alone)

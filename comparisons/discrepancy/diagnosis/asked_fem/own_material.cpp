@@ -20,7 +20,7 @@ struct BranchTimes {
   double first, shortest, longest;
 };
 /// Loss without memory, of one branch and of a slower one beside it.
-constexpr std::array<BranchTimes, 2> times = {{{0.025, 0.004, 0.08}, {0.07, 0.03, 0.15}}};
+constexpr std::array<BranchTimes, 2> times = {{{0.025, 0.004, 0.08}, {0.06, 0.03, 0.1}}};
 
 double contact_time_of(const Material& guess) {
   return guess.branches.front().relaxation_time / times.front().first;

@@ -117,7 +117,9 @@ void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
   constexpr double plainly_less = 0.3;  // of the gain: forms are not those of the data
   bool of_one_family = true;
   for (EffectInFem& one : d.in_fem) {
-    if (one.information_criterion - best.information_criterion > plainly_less * gain) continue;
+    const bool gains_less =
+        one.information_criterion - best.information_criterion > plainly_less * gain;
+    if (gains_less || *one.gap.held_out_after > *one.gap.held_out_before) continue;
     one.fem = "supported";
     d.candidates.push_back({one.effect.name});
     of_one_family = of_one_family && one.family == best.family;

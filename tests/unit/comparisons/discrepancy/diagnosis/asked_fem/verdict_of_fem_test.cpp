@@ -128,6 +128,17 @@ TEST(VerdictOfFem, AWeakEffectMustHoldAtTheUnseenSpeed) {
   EXPECT_TRUE(denied.candidates.empty());
 }
 
+/// A rival that gains as much and takes the unseen speed farther away is none.
+TEST(VerdictOfFem, AWeakRivalMustNotLoseAtTheUnseenSpeed) {
+  const auto beside = [](double unseen_after) {
+    return concluded_weakly(
+        {weak("relaxation-spectrum", 100.0), weak("odd-shot", 90.0, {1.0, unseen_after})});
+  };
+  EXPECT_EQ(beside(0.99).verdict, DiagnosisVerdict::one_of);
+  EXPECT_EQ(beside(1.01).verdict, DiagnosisVerdict::family);
+  EXPECT_EQ(beside(1.01).family, EffectFamily::memory);
+}
+
 TEST(VerdictOfFem, NothingTriedLeavesTheVerdict) {
   EXPECT_EQ(concluded({}).verdict, DiagnosisVerdict::unexplained);
 }
