@@ -9,12 +9,12 @@
 
 namespace rebound {
 
-std::vector<DataCheck> unexplained_contradictions(const Diagnosis& d, const Observations& all) {
-  const HypothesisFit& best = d.best();
-  Hypothesis hypothesis = best.hypothesis;
-  hypothesis.effects = best.effects;
+std::vector<DataCheck> unexplained_contradictions(const Diagnosis& d, const HypothesisFit& fit,
+                                                  const Observations& all) {
+  Hypothesis hypothesis = fit.hypothesis;
+  hypothesis.effects = fit.effects;
   const JointModel model(all, hypothesis);
-  const std::vector<double> values = model.without_nuisances(values_from(best, model));
+  const std::vector<double> values = model.without_nuisances(values_from(fit, model));
   Observations predicted = all;
   for (std::size_t i = 0; i < all.shots.size(); ++i) predicted.shots[i] = model.as_seen(values, i);
   const std::vector<DataCheck> by_model = check_data(predicted);
@@ -40,7 +40,7 @@ void withhold_names_from_contradictions(Diagnosis& d, const Observations& all) {
       std::any_of(d.effects.begin(), d.effects.end(),
                   [](const NamedEffect& one) { return !is_measurement(one.effect.name); });
   if (!names_physics || d.contradictions.empty()) return;
-  const std::vector<DataCheck> left = unexplained_contradictions(d, all);
+  const std::vector<DataCheck> left = unexplained_contradictions(d, d.best(), all);
   if (left.empty()) return;
   withhold(d, without_name(d),
            fmt::format("the data contradict themselves in the {} of {}, by {:.1f} standard "

@@ -15,6 +15,7 @@ namespace rebound {
 ///         -> test ContradictionsTest.AModelWithoutAFaultExplainsNone.
 /// Errors: as JointModel.
 std::vector<DataCheck> unexplained_contradictions(const Diagnosis& diagnosis,
+                                                  const HypothesisFit& fit,
                                                   const Observations& all);
 
 /// A physical name is withheld where the data contradict themselves and the named model does not

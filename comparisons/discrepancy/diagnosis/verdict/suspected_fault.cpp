@@ -20,6 +20,26 @@ bool follows_from_momentum(const DataCheck& check) {
   return std::find(balances.begin(), balances.end(), check.what) != balances.end();
 }
 
+/// Contradictions of momentum that no fitted model of physics shows: a plate that moves takes
+/// impulse, and the fit that holds it may be no candidate.
+std::vector<DataCheck> contradictions_of_momentum(const Diagnosis& d, const Observations& all) {
+  std::vector<DataCheck> left = d.contradictions;
+  const auto keep_those_that_are_not_shown_by = [&](const HypothesisFit& fit) {
+    const std::vector<DataCheck> beside = unexplained_contradictions(d, fit, all);
+    std::erase_if(left, [&](const DataCheck& one) {
+      return std::none_of(beside.begin(), beside.end(), [&](const DataCheck& other) {
+        return one.what == other.what && one.of == other.of;
+      });
+    });
+  };
+  std::erase_if(left, [](const DataCheck& one) { return !follows_from_momentum(one); });
+  if (!left.empty()) keep_those_that_are_not_shown_by(d.best());
+  for (const AssessedFit& one : d.selection.tried)
+    if (!left.empty() && physical_effects(one.fit.effects).size() == one.fit.effects.size())
+      keep_those_that_are_not_shown_by(one.fit);
+  return left;
+}
+
 }  // namespace
 
 void suspect_measurement(Diagnosis& d, std::vector<std::vector<std::string>> candidates,
@@ -42,8 +62,7 @@ void suspect_a_coarse_recorder(Diagnosis& d) {
 
 void suspect_what_contradicts_momentum(Diagnosis& d, const Observations& all) {
   if (d.verdict != DiagnosisVerdict::unexplained) return;
-  std::vector<DataCheck> left = unexplained_contradictions(d, all);
-  std::erase_if(left, [](const DataCheck& one) { return !follows_from_momentum(one); });
+  const std::vector<DataCheck> left = contradictions_of_momentum(d, all);
   if (left.empty()) return;
   const DataCheck& first = left.front();
   drop_candidates(d);
