@@ -71,6 +71,15 @@ std::vector<const EffectInFem*> nearly_all_in_fem(const Diagnosis& d) {
   return has_rival ? std::vector<const EffectInFem*>{} : std::vector{&best};
 }
 
+/// The gap is that of FE with nothing hidden, and what is left of it with this effect.
+void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
+  if (!d.law_alone)
+    d.law_alone = Gap{.before = d.gap.before, .held_out_before = d.gap.held_out_before};
+  const double held_out_noise = d.gap.held_out_noise;
+  d.gap = found.gap;
+  d.gap.held_out_noise = held_out_noise;
+}
+
 }  // namespace
 
 void sort_nearest_first(std::vector<EffectInFem>& in_fem) {
@@ -125,10 +134,7 @@ void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
     of_one_family = of_one_family && one.family == best.family;
   }
   d.excluded.clear();
-  d.gap.before = best.gap.before;
-  d.gap.after = best.gap.after;
-  d.gap.held_out_before = best.gap.held_out_before;
-  d.gap.held_out_after = best.gap.held_out_after;
+  show_gap_in_fem(d, best);
   const std::string better = fmt::format(
       "FE with nothing hidden follows the data, and follows them better with {}: by {:.0f} in χ², "
       "and at the unseen speed from {:.3g} to {:.3g}",
@@ -149,6 +155,7 @@ void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
                   [&](const EffectInFem* one) { return one->family != family; }))
     return;
   drop_candidates(d);
+  show_gap_in_fem(d, *candidates.front());
   for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});
   const std::string taken =
       fmt::format("in FE {} takes the gap from {:.3g} to {:.3g}", candidates.front()->effect.name,

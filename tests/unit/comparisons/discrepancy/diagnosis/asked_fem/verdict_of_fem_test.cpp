@@ -48,6 +48,8 @@ TEST(VerdictOfFem, AFaultThatExplainsTheDataIsOfTheMeasurement) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
   EXPECT_EQ(d.family, EffectFamily::measurement);
   EXPECT_EQ(d.candidates, (std::vector<std::vector<std::string>>{{"burst"}}));
+  EXPECT_EQ(d.gap.before, left_without);
+  EXPECT_EQ(d.gap.after, 1.2);
   EXPECT_NE(d.fault.find("burst takes the gap from 10 to 1.2"), std::string::npos) << d.fault;
 }
 
