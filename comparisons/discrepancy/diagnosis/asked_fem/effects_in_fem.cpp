@@ -73,7 +73,7 @@ class TriedInFem {
     fit_promising_of(follows ? all_starts(*d_.seen, lumped) : starts_of_faults(*d_.seen, lumped));
     if (try_plates_that_ring()) return;
     if (!is_near && !is_any_supported()) return;
-    if (is_any_supported())
+    if (!follows && is_any_supported())
       fit_promising_of(starts_of_named(lumped));  // its rivals
     else if (!follows)
       fit_each_of(starts_of_named(lumped));
