@@ -237,4 +237,7 @@ void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& c
 /// Those that act on the impact itself, without faults of the measurement.
 std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects);
 
+/// Is one of them a fault of the measurement?
+bool hold_a_fault(const std::vector<EffectChoice>& effects);
+
 }  // namespace rebound

@@ -168,4 +168,9 @@ std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effe
   return physical;
 }
 
+bool hold_a_fault(const std::vector<EffectChoice>& effects) {
+  return std::any_of(effects.begin(), effects.end(),
+                     [](const EffectChoice& choice) { return is_measurement(choice.name); });
+}
+
 }  // namespace rebound

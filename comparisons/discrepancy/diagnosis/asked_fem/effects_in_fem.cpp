@@ -40,9 +40,7 @@ bool surface_leads(const EffectSelection& selection) {
 /// Does the lumped fit that comes nearest hold a fault of the measurement? It acts on the record of
 /// a ball of either tier, and keeps both far from the data.
 bool fault_leads(const EffectSelection& selection) {
-  if (selection.tried.empty()) return false;
-  const std::vector<EffectChoice>& effects = selection.tried.front().fit.effects;
-  return physical_effects(effects).size() < effects.size();
+  return !selection.tried.empty() && hold_a_fault(selection.tried.front().fit.effects);
 }
 
 /// FE without an effect comes as near as the lumped model does, which beside much noise is the same
@@ -112,7 +110,7 @@ class TriedInFem {
                                    [](const FittedFem& one) { return !one.effects.empty(); });
     const std::vector<EffectChoice> starts = plates_that_ring(ball->effects.front(), *d_.seen);
     std::vector<FemOfAllBalls> plates;
-    for (const auto& with : fitted(starts))
+    for (const auto& with : balls_.fit_each_alone(starts))
       if (with) plates.push_back(*with);
     if (plates.empty()) return false;
     FemOfAllBalls plate = least_of(plates);
@@ -120,7 +118,7 @@ class TriedInFem {
     if (!plate.follows()) plate = balls_.fit_near(plate.balls);
     add(plate);
     sort_nearest_first(d_.in_fem);
-    return d_.in_fem.front().family == EffectFamily::dynamics && is_any_supported();
+    return is_any_supported() && d_.in_fem.front().family == EffectFamily::dynamics;
   }
 
   static const FemOfAllBalls& least_of(const std::vector<FemOfAllBalls>& fits) {
@@ -133,13 +131,8 @@ class TriedInFem {
     fit(promising_effects(starts, balls_.first_order(without_), control_));
   }
 
-  std::vector<std::optional<FemOfAllBalls>> fitted(const std::vector<EffectChoice>& starts) const {
-    return fit_each<FemOfAllBalls>(starts.size(), control_,
-                                   [&](std::size_t k) { return balls_.fit({starts[k]}); });
-  }
-
   void fit(const std::vector<EffectChoice>& starts) {
-    for (const auto& with : fitted(starts))
+    for (const auto& with : balls_.fit_each_alone(starts))
       if (with) add(*with);
     sort_nearest_first(d_.in_fem);
   }

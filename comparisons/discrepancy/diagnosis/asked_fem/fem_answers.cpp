@@ -59,8 +59,9 @@ std::string sentence_of_the_search(const Diagnosis& d) {
                       "with {}.",
                       best.effect.name, deviations(best.gap.after));
   text += fmt::format("; with {} FE leaves {}.", best.effect.name, deviations(best.gap.after));
-  return text + (best.lumped == "no-form" ? " That effect has no lumped form."
-                                          : " The tiers differ: its lumped form does not do that.");
+  return text + (best.lumped == "no-form"
+                     ? " That effect has no lumped form."
+                     : " The tiers differ: beside the lumped law it does not do that.");
 }
 
 Verdict verdict_of(const std::string& together) {

@@ -7,6 +7,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 
 namespace rebound {
 namespace {
@@ -44,6 +45,12 @@ FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
   for (std::size_t ball = 0; ball < near.size(); ++ball)
     near[ball] = with_effects(near[ball], effects_of_ball(effects, ball));
   return fit_near(near);
+}
+
+std::vector<std::optional<FemOfAllBalls>> FemOfBalls::fit_each_alone(
+    const std::vector<EffectChoice>& effects) const {
+  return fit_each<FemOfAllBalls>(effects.size(), control_,
+                                 [&](std::size_t k) { return fit({effects[k]}); });
 }
 
 FemOfAllBalls FemOfBalls::nearest_without_effects(const FemOfAllBalls& with,

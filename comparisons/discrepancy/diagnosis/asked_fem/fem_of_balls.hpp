@@ -34,6 +34,11 @@ class FemOfBalls {
   /// Errors: as fit_fem_model().
   FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
 
+  /// Each of these by itself, side by side; nothing of one that has no answer.
+  /// Errors: as fit_each().
+  std::vector<std::optional<FemOfAllBalls>> fit_each_alone(
+      const std::vector<EffectChoice>& effects) const;
+
   /// From these balls with their effects; those of a diagnosis stand on the plates that FE has
   /// found under them, where it has. Errors: as fit_fem_model().
   FemOfAllBalls fit_near(const std::vector<FittedFem>& balls) const;

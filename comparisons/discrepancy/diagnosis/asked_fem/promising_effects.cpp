@@ -10,6 +10,7 @@
 namespace rebound {
 namespace {
 
+constexpr double worth_a_fit = 25.0;  // in χ²: gains of nulls are in the README
 constexpr int most_of_a_kind = 4;
 
 /// Where its search starts, and what it would gain to first order.

@@ -7,9 +7,6 @@
 
 namespace rebound {
 
-/// Gains in χ² below this are no reason for a fit: those of nulls are in the README.
-inline constexpr double worth_a_fit = 25.0;
-
 /// Of every effect the start that promises most to first order beside FE with nothing hidden, moved
 /// to the size where it gains most; best first. A fault of the measurement acts on records alone,
 /// so that all its numbers are searched. Those alone that are worth a fit, and of physical effects

@@ -16,7 +16,8 @@ constexpr double half = 0.5;
 
 /// What the lumped tier says of an effect that it did not find.
 std::string not_seen_in_lumped(const EffectInFem& one) {
-  return find_effect(one.effect.name).to_lumped ? "rejected" : "no-form";
+  const bool has_form = find_effect(one.effect.name).to_lumped || is_measurement(one.effect.name);
+  return has_form ? "rejected" : "no-form";
 }
 
 /// Share of the excess over the noise that has gone.
@@ -71,10 +72,16 @@ std::vector<const EffectInFem*> nearly_all_in_fem(const Diagnosis& d) {
   return has_rival ? std::vector<const EffectInFem*>{} : std::vector{&best};
 }
 
-/// The gap is that of FE with nothing hidden, and what is left of it with this effect.
-void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
+/// Before FE's gap takes its place. Where FE's own part is in the model, the search beside it has
+/// kept what the law leaves without it.
+void keep_gap_of_the_law(Diagnosis& d) {
   if (!d.law_alone)
     d.law_alone = Gap{.before = d.gap.before, .held_out_before = d.gap.held_out_before};
+}
+
+/// The gap is that of FE with nothing hidden, and what is left of it with this effect.
+void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
+  keep_gap_of_the_law(d);
   const double held_out_noise = d.gap.held_out_noise;
   d.gap = found.gap;
   d.gap.held_out_noise = held_out_noise;
@@ -105,7 +112,7 @@ bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& uns
 
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen) {
   drop_candidates(d);
-  d.law_alone = Gap{.before = d.gap.before, .held_out_before = d.gap.held_out_before};
+  keep_gap_of_the_law(d);
   d.verdict = DiagnosisVerdict::agrees;
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;

@@ -26,8 +26,10 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
 
 /// The family of `in_fem`, the nearest first: where all that FE supports within reach of the
 /// nearest is of it; or where the nearest takes nine tenths of the gap and nothing of another
-/// family half, so that what is left is more than noise, and little beside it. Limit:  two families
-/// that explain the data leave the verdict as it is; so does one with a rival
+/// family half, so that what is left is more than noise, and little beside it. A fault of the
+/// measurement is suspected as such.
+///
+/// Limit:  two families that explain the data leave the verdict as it is; so does one with a rival
 ///         that takes half -> test VerdictOfFem
 void conclude_from_fem(Diagnosis& d, const SelectionRules& rules);
 

@@ -5,7 +5,6 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/promising_effects.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -22,10 +21,8 @@ void look_for_weak_effects_in_fem(Diagnosis& d, const Observations& all,
   const FemOfBalls balls(d, all, control);
   FemOfAllBalls without = balls.fit({});
   if (!without.follows()) return;
-  const std::vector<EffectChoice> promising = promising_effects(
-      all_starts(*d.seen, d.selection.baseline.fit), balls.first_order(without), control);
-  const auto fits = fit_each<FemOfAllBalls>(
-      promising.size(), control, [&](std::size_t k) { return balls.fit({promising[k]}); });
+  const auto fits = balls.fit_each_alone(promising_effects(
+      all_starts(*d.seen, d.selection.baseline.fit), balls.first_order(without), control));
   const auto gains_much = [&](const std::optional<FemOfAllBalls>& with) {
     return with && without.information_criterion() - with->information_criterion() >= is_seen;
   };

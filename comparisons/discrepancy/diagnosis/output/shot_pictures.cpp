@@ -59,7 +59,7 @@ std::vector<DrawnShot> drawn_shots(const Diagnosis& d) {
       drawn.push_back({&shot, true, Origin::predicted, d.unseen_before->force[i],
                        d.unseen_after ? d.unseen_after->force[i] : std::vector<double>{}});
   const HypothesisFit& before = d.believed.fit;
-  const HypothesisFit* after = d.gap.after ? &d.best() : nullptr;
+  const HypothesisFit* after = d.extended() ? &d.best() : nullptr;
   for (std::size_t i = 0; i < d.seen->shots.size(); ++i) {
     const MeasuredImpact& shot = d.seen->shots[i];
     if (!shot.has_history()) continue;
@@ -117,7 +117,7 @@ report::Figure gap_figure(const Diagnosis& d) {
     if (!series.x.empty()) figure.series.push_back(std::move(series));
   };
   add(before_name, Origin::fitted, *d.seen, gaps_of_shots(d.believed.fit));
-  if (d.gap.after) add(after_name, Origin::fitted, *d.seen, gaps_of_shots(d.best()));
+  if (d.extended()) add(after_name, Origin::fitted, *d.seen, gaps_of_shots(d.best()));
   if (d.unseen_before)
     add("unseen speed, " + std::string(before_name), Origin::predicted, *d.unseen,
         d.unseen_before->of_shots);

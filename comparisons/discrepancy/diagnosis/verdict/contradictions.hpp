@@ -4,7 +4,7 @@
 
 namespace rebound {
 
-/// Contradictions among the data that a fitted model does not show as well.
+/// Contradictions among the data that `fit`, one of a diagnosis, does not show as well.
 ///
 /// The model's own records, without noise and with nothing wrong in gain, mass and speeds, go
 /// through the same checks with the same errors: a plate on its load cell moves impulse and energy

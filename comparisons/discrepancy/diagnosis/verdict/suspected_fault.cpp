@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/contradictions.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 
@@ -24,19 +25,21 @@ bool follows_from_momentum(const DataCheck& check) {
 /// impulse, and the fit that holds it may be no candidate.
 std::vector<DataCheck> contradictions_of_momentum(const Diagnosis& d, const Observations& all) {
   std::vector<DataCheck> left = d.contradictions;
-  const auto keep_those_that_are_not_shown_by = [&](const HypothesisFit& fit) {
-    const std::vector<DataCheck> beside = unexplained_contradictions(d, fit, all);
-    std::erase_if(left, [&](const DataCheck& one) {
-      return std::none_of(beside.begin(), beside.end(), [&](const DataCheck& other) {
-        return one.what == other.what && one.of == other.of;
-      });
-    });
-  };
   std::erase_if(left, [](const DataCheck& one) { return !follows_from_momentum(one); });
-  if (!left.empty()) keep_those_that_are_not_shown_by(d.best());
+  if (left.empty()) return left;
+  std::vector<const HypothesisFit*> of_physics{&d.best()};
   for (const AssessedFit& one : d.selection.tried)
-    if (!left.empty() && physical_effects(one.fit.effects).size() == one.fit.effects.size())
-      keep_those_that_are_not_shown_by(one.fit);
+    if (!hold_a_fault(one.fit.effects)) of_physics.push_back(&one.fit);
+  // A fit whose impact has no end at a speed that it has not seen shows nothing.
+  const auto not_shown = fit_each<std::vector<DataCheck>>(
+      of_physics.size(), {},
+      [&](std::size_t k) { return unexplained_contradictions(d, *of_physics[k], all); });
+  for (const auto& beside : not_shown)
+    std::erase_if(left, [&](const DataCheck& one) {
+      return beside && std::none_of(beside->begin(), beside->end(), [&](const DataCheck& other) {
+               return one.what == other.what && one.of == other.of;
+             });
+    });
   return left;
 }
 

@@ -7,7 +7,8 @@
 
 namespace rebound {
 
-/// The verdict is a fault of the measurement: what physics was found before is dropped.
+/// The verdict is a fault of the measurement, with nothing withheld. Effects that were found before
+/// are the caller's to drop.
 ///
 ///   candidates   faults by name, one of which it is; empty: the data say that there is one, and
 ///                not which

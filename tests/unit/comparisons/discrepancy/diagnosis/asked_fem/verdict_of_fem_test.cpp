@@ -53,6 +53,12 @@ TEST(VerdictOfFem, AFaultThatExplainsTheDataIsOfTheMeasurement) {
   EXPECT_NE(d.fault.find("burst takes the gap from 10 to 1.2"), std::string::npos) << d.fault;
 }
 
+/// A fault acts on the record of either tier.
+TEST(VerdictOfFem, AFaultHasAFormBesideTheLumpedLaw) {
+  EXPECT_EQ(tried("burst", 1.2).lumped, "rejected");
+  EXPECT_EQ(tried("adhesion", 1.2).lumped, "rejected");
+}
+
 TEST(VerdictOfFem, TwoFamiliesWithinReachGiveNone) {
   EffectInFem rival = tried("permanent-set", 1.2);
   rival.information_criterion += 5.0;

@@ -86,6 +86,15 @@ std::string lead_of(const Diagnosis& d) {
   return text;
 }
 
+// A gap that FE closes has no fit beside the lumped law that could be drawn.
+TEST(DiagnosisReportTest, WhatFeFoundIsNotDrawnAsAFitBesideTheLaw) {
+  Diagnosis d = testing::diagnose_hidden(testing::experiment_with({}, 3));
+  ASSERT_FALSE(d.extended());
+  const std::size_t drawn = gap_figure(d).series.size();
+  d.gap.after = 1.0;
+  EXPECT_EQ(gap_figure(d).series.size(), drawn);
+}
+
 TEST(DiagnosisReportTest, OfFeTheFirstScreenSpeaksOnlyWhereFeWasAsked) {
   Diagnosis d = diagnose_hidden(experiment_with({}, 3));
   EXPECT_EQ(fem_sentence(d), "");
