@@ -25,7 +25,7 @@ struct Hyperfoam {
   StretchTerms terms;
 
   template <class T>
-  Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
+  [[gnu::always_inline]] Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
     const PrincipalStretches<T> p = principal_stretches_of(e);
     const T zero = 0.0 * e.jacobian;
     Symmetric<T> sum{zero, zero, zero, zero};
@@ -72,7 +72,7 @@ struct Hyperfoam {
   /// growth_of with t(λ) = Σ (2μᵢ/αᵢ) λ^αᵢ, c = Σ (2μᵢ/αᵢ) J^(−αᵢβᵢ) and
   /// coupling Σ 2μᵢβᵢ J^(−αᵢβᵢ).
   template <class T>
-  T stiffness_growth(const Strain<T>& e, const T&) const {
+  [[gnu::always_inline]] T stiffness_growth(const Strain<T>& e, const T&) const {
     const PrincipalStretches<T> p = principal_stretches_of(e);
     const T zero = 0.0 * e.jacobian;
     StretchTangent<T> tangent;

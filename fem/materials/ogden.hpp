@@ -23,7 +23,7 @@ struct Ogden {
   StretchTerms terms;
 
   template <class T>
-  Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
+  [[gnu::always_inline]] Symmetric<T> deviatoric_stress(const Strain<T>& e) const {
     const PrincipalStretches<T> p = principal_stretches_of(e);
     const T zero = 0.0 * e.jacobian;
     Symmetric<T> sum{zero, zero, zero, zero};
@@ -68,7 +68,7 @@ struct Ogden {
 
   /// growth_of with t(λ) = Σ (2μᵢ/αᵢ) J^(−αᵢ/3) λ^αᵢ and Gᵢ = λᵢ t'(λᵢ).
   template <class T>
-  T stiffness_growth(const Strain<T>& e, const T&) const {
+  [[gnu::always_inline]] T stiffness_growth(const Strain<T>& e, const T&) const {
     const PrincipalStretches<T> p = principal_stretches_of(e);
     const T zero = 0.0 * e.jacobian;
     StretchTangent<T> tangent;

@@ -157,7 +157,7 @@ TEST_F(BesideFem, APullInFemIsOfTheSurface) {
                                             "held_out_before", "lumped_gap_after",
                                             "lumped_gap_before", "name", "size", "tiers", "unit"}));
   EXPECT_EQ(found["fem_with_nothing_hidden"]["gap"], found["in_fem"][0]["gap_before"]);
-  EXPECT_NE(page().find("FE was asked, since nothing lumped explains the data"), std::string::npos);
+  EXPECT_NE(page().find("FE was asked of effects: with nothing hidden"), std::string::npos);
   EXPECT_EQ(found["in_fem"][0]["name"], "adhesion");
   EXPECT_EQ(found["in_fem"][0]["tiers"]["fem"], "supported");
   EXPECT_NEAR(found["in_fem"][0]["size"].get<double>(), 2500.0, 400.0);

@@ -90,6 +90,23 @@ void predict_held_out(Diagnosis& d) {
   d.gap.held_out_after = d.unseen_after->reduced_chi_square;
 }
 
+/// Where FE has an idea of the balls: what it says of names; of effects where nothing lumped has
+/// one, be it of a family; of weak ones where it agrees in place of the law.
+void ask_fem(Diagnosis& d, const Observations& all, const SelectionRules& rules,
+             const RunControl& control) {
+  const bool has_names =
+      d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of;
+  if (has_names && conclude_from_what_candidates_share(d, all, rules, control)) return;
+  if (has_names) ask_fem_of_names(d, all, rules, control);
+  const bool has_no_name =
+      d.verdict == DiagnosisVerdict::unexplained ||
+      (d.verdict == DiagnosisVerdict::family && d.in_fem.empty()) ||
+      (d.verdict == DiagnosisVerdict::one_of && d.family == EffectFamily::none);
+  if (has_no_name) look_for_effects_in_fem(d, all, rules, control);
+  if (d.verdict == DiagnosisVerdict::agrees && d.law_alone)
+    look_for_weak_effects_in_fem(d, all, control);
+}
+
 /// What is missing is shown as a force, whatever it is called; a fault of the measurement is none.
 void show_missing_force(Diagnosis& d) {
   const bool missing =
@@ -170,17 +187,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     d.bootstrap = bootstrap_selection(d.selection, request.rules.bootstrap_draws, request.seed);
     withhold_what_repetition_denies(d, request.rules);
   }
-  if (d.fem_alone &&
-      (d.verdict == DiagnosisVerdict::missing || d.verdict == DiagnosisVerdict::one_of))
-    ask_fem_of_names(d, all, request.rules, {.interrupted = control.interrupted});
-  const bool no_single_family =
-      d.verdict == DiagnosisVerdict::unexplained ||
-      ((d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::one_of) &&
-       d.family == EffectFamily::none);
-  if (no_single_family && d.fem_alone)
-    look_for_effects_in_fem(d, all, request.rules, {.interrupted = control.interrupted});
-  if (d.verdict == DiagnosisVerdict::agrees && d.law_alone)
-    look_for_weak_effects_in_fem(d, all, {.interrupted = control.interrupted});
+  if (d.fem_alone) ask_fem(d, all, request.rules, {.interrupted = control.interrupted});
   suspect_what_contradicts_momentum(d, all);
   suspect_a_coarse_recorder(d);
   find_nearest_formulas(d);

@@ -46,16 +46,20 @@ struct Gap {
 };
 
 /// One effect that FE was asked of: a name that the lumped tier has earned, or one that was tried
-/// where nothing lumped explains the data and FE comes near to them.
+/// where that has no name and FE comes near to the data.
 struct EffectInFem {
   EffectChoice effect;  ///< with the numbers that FE has found, of the first ball
   EffectFamily family = EffectFamily::none;
   double information_criterion = 0.0;
-  Gap gap;  ///< of FE without the effect, and with it
+  double unseen_chi_square = 0.0;  ///< of the shots that no fit saw, with the effect; 0 of none
+  Gap gap;                         ///< of FE without the effect, and with it
   /// Reduced whitened χ² of the lumped model without the effect, and with it; absent where that
   /// was not fitted.
   std::optional<double> lumped_before, lumped_after;
   std::string lumped = "not-run", fem = "not-run";  ///< as those of NamedEffect
+
+  /// Of all shots: what no fit saw speaks without a penalty.
+  double criterion() const { return information_criterion + unseen_chi_square; }
 };
 
 struct DiagnosisRequest {
@@ -93,8 +97,8 @@ struct Diagnosis {
   /// Of that family: formulas that come nearest, with the share of the gap each explains.
   std::vector<ExplainedShare> nearest;
   std::vector<EffectInFem> in_fem;  ///< best first; empty where FE was asked of no effect
-  /// Of FE with nothing hidden, where nothing lumped explains the data; `before` and
-  /// `held_out_before` alone.
+  /// Of FE with nothing hidden, where nothing lumped has a name; `before` and `held_out_before`
+  /// alone.
   std::optional<Gap> fem_with_nothing_hidden;
   /// What the believed lumped law leaves by itself, where `gap` is with what a body of finite size
   /// adds to it; `before` and `held_out_before` alone.
@@ -149,9 +153,9 @@ struct Diagnosis {
 ///   6 prediction of the speed that was left out, before and after
 ///   7 verdict; the choice it rests on made again on repeated data (bootstrap_selection); where
 ///     FE was asked, names that have a form there tried in FE as well (ask_fem_of_names)
-///   8 where nothing lumped explains the data and FE comes near to them: effects in FE, one at a
-///     time (look_for_effects_in_fem); where FE with nothing hidden follows them: those that gain
-///     much all the same (look_for_weak_effects_in_fem)
+///   8 where nothing lumped has a name and FE comes near to the data: effects in FE, one at a time
+///     (look_for_effects_in_fem); where FE with nothing hidden follows them: those that gain much
+///     all the same (look_for_weak_effects_in_fem)
 ///   9 where something is missing from the physics: the missing force, without a formula
 ///
 /// Errors: Error(bad_input) for a model that has no numbers at a speed of the

@@ -4,7 +4,7 @@
 
 namespace rebound {
 
-/// Where nothing lumped explains the data, and FE with nothing hidden comes as near to them as the
+/// Where nothing lumped has a name, and FE with nothing hidden comes as near to the data as the
 /// lumped model or the best fit is one of the surface: the effects that have a form in FE, one at a
 /// time, fitted there with the material (fit_fem_model). The plate that FE has found comes first;
 /// where it has found none, those of the lumped search come after the named effects, and free forms
@@ -20,5 +20,15 @@ namespace rebound {
 /// Errors: Error(interrupted). Where FE has no answer the verdict stands as it was, with a warning.
 void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const SelectionRules& rules,
                              const RunControl& control);
+
+/// Where candidates beside a lumped law share a plate, or a fault of the measurement, and one of
+/// them holds more: does FE follow the data with what they share alone? Then that is what is said,
+/// and nothing beside it; true. Else the verdict stands.
+///
+/// Limit:  what a plate needs beside it in the lumped tier alone is not named
+///         -> test BesideFem.APlateUnderABallOfFemIsSupported
+/// Errors: as look_for_effects_in_fem().
+bool conclude_from_what_candidates_share(Diagnosis& d, const Observations& all,
+                                         const SelectionRules& rules, const RunControl& control);
 
 }  // namespace rebound

@@ -42,11 +42,11 @@ std::string sentence_of_a_name(const EffectInFem& one) {
                      name, before_and_after(one));
 }
 
-/// Where nothing lumped explains the data.
+/// Where names did not stand by themselves, or there were none.
 std::string sentence_of_the_search(const Diagnosis& d) {
   std::string text = fmt::format(
-      "FE was asked, since nothing lumped explains the data: with nothing hidden it leaves {} "
-      "standard deviations, where the lumped model leaves {}",
+      "FE was asked of effects: with nothing hidden it leaves {} standard deviations, where the "
+      "lumped model leaves {}",
       deviations(d.fem_with_nothing_hidden->before),
       deviations(d.selection.baseline.fit.reduced_chi_square()));
   if (d.verdict == DiagnosisVerdict::agrees)
@@ -59,6 +59,7 @@ std::string sentence_of_the_search(const Diagnosis& d) {
                       "with {}.",
                       best.effect.name, deviations(best.gap.after));
   text += fmt::format("; with {} FE leaves {}.", best.effect.name, deviations(best.gap.after));
+  if (best.lumped == "supported") return text + " The lumped law needs more beside it.";
   return text + (best.lumped == "no-form"
                      ? " That effect has no lumped form."
                      : " The tiers differ: beside the lumped law it does not do that.");

@@ -102,16 +102,21 @@ FirstOrderOfBalls FemOfBalls::first_order(const FemOfAllBalls& at) const {
 }
 
 std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
-  double chi_square = 0.0, samples = 0.0;
-  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
-    const auto shots = shots_for_fem(unseen_, all_, ball);
-    if (shots.empty()) continue;
-    chi_square += chi_square_of(unseen_, shots, *d_.fem_alone->fem, fitted.balls[ball], control_);
-    for (const std::size_t shot : shots)
-      samples += static_cast<double>(unseen_.shots[shot].trace.force.size());
-  }
+  const double samples = unseen_samples();
   if (samples == 0.0) return std::nullopt;
+  double chi_square = 0.0;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
+    if (const auto shots = shots_for_fem(unseen_, all_, ball); !shots.empty())
+      chi_square += chi_square_of(unseen_, shots, *d_.fem_alone->fem, fitted.balls[ball], control_);
   return chi_square / samples;
+}
+
+double FemOfBalls::unseen_samples() const {
+  double samples = 0.0;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
+    for (const std::size_t shot : shots_for_fem(unseen_, all_, ball))
+      samples += static_cast<double>(unseen_.shots[shot].trace.force.size());
+  return samples;
 }
 
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
@@ -125,6 +130,7 @@ EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const Fem
                           .after = with.reduced_chi_square(),
                           .held_out_before = balls.unseen(without),
                           .held_out_after = balls.unseen(with)}};
+  one.unseen_chi_square = one.gap.held_out_after.value_or(0.0) * balls.unseen_samples();
   one.family = find_effect(one.effect.name).card.family;
   std::set<std::string> names;
   for (const EffectChoice& effect : effects) names.insert(effect.name);

@@ -61,6 +61,9 @@ class FemOfBalls {
   /// and all else as it was fitted; nothing where no history is there.
   std::optional<double> unseen(const FemOfAllBalls& fitted) const;
 
+  /// Samples of those shots.
+  double unseen_samples() const;
+
  private:
   const Diagnosis& d_;
   const Observations& all_;

@@ -95,9 +95,12 @@ OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
                        const HypothesisFit& lumped, const FemBelief& fem, const RunControl& control)
     : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
 
-FittedFem OwnBallFit::again(const FittedFem& near) const {
-  const SearchDepth depth = near.effects.empty() ? SearchDepth::whole : SearchDepth::near;
+FittedFem OwnBallFit::to(const FittedFem& near, SearchDepth depth) const {
   return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_, depth);
+}
+
+FittedFem OwnBallFit::again(const FittedFem& near) const {
+  return to(near, near.effects.empty() ? SearchDepth::whole : SearchDepth::near);
 }
 
 FittedFem OwnBallFit::of_other_times(FittedFem best) const {
@@ -108,14 +111,15 @@ FittedFem OwnBallFit::of_other_times(FittedFem best) const {
       branch.relaxation_time *= factor;
       branch.ratio /= factor;  // fast branches act by ratio times time
     }
-    if (auto other = fitted(start); other && other->chi_square < best.chi_square)
+    if (auto other = fitted(start, SearchDepth::whole);
+        other && other->chi_square < best.chi_square)
       best = std::move(*other);
   }
   return best;
 }
 
-std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near) const try {
-  return again(near);
+std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near, SearchDepth depth) const try {
+  return to(near, depth);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
   return std::nullopt;  // no impact from that start
@@ -123,16 +127,22 @@ std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near) const try {
 
 FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
   std::vector<FittedFem> kinds = {plain};
-  const auto add = [&](const FittedFem& near, Material kind) {
+  const auto add = [&](const FittedFem& near, Material kind, SearchDepth depth) {
     FittedFem start = near;
     start.material = std::move(kind);
-    if (auto other = fitted(start)) kinds.push_back(std::move(*other));
+    if (auto other = fitted(start, depth)) kinds.push_back(std::move(*other));
   };
   const Material guess = guess_fem_material(seen_, shots_, lumped_);
-  for (Material& kind : other_kinds_near(plain.material, guess)) add(plain, std::move(kind));
+  for (Material& kind : other_kinds_near(plain.material, guess))
+    add(plain, std::move(kind), SearchDepth::whole);
   if (!plain.is_far()) {
+    // A law near a ball that is fitted to the end: what it gains shows before its own end.
     const FittedFem best = least_of(kinds);
-    for (Material& law : other_laws_near(best.material)) add(best, std::move(law));
+    for (Material& law : other_laws_near(best.material))
+      add(best, std::move(law), SearchDepth::near);
+    const FittedFem of_law = least_of(kinds);
+    if (of_law.material.elastic != best.material.elastic)
+      add(of_law, of_law.material, SearchDepth::whole);
   }
   return of_other_times(least_of(kinds));
 }
@@ -144,9 +154,11 @@ FittedFem OwnBallFit::on_best_plate(const FittedFem& plain, const FittedFem& rig
   FittedFem best = rigid;
   for (const FittedFem& kind : kinds)
     for (const EffectChoice& plate : plates) {
+      if (best.follows()) return best;
       FittedFem start = kind;
       start.effects = {plate};
-      if (auto moving = fitted(start); moving && moving->chi_square < best.chi_square)
+      if (auto moving = fitted(start, SearchDepth::near);
+          moving && moving->chi_square < best.chi_square)
         best = std::move(*moving);
     }
   return is_worth_having(rigid, best) ? best : rigid;

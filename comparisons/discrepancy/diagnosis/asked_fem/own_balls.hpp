@@ -60,8 +60,9 @@ class OwnBallFit {
                           const std::vector<EffectChoice>& plates) const;
 
  private:
+  FittedFem to(const FittedFem& near, SearchDepth depth) const;
   FittedFem of_other_times(FittedFem best) const;
-  std::optional<FittedFem> fitted(const FittedFem& near) const;
+  std::optional<FittedFem> fitted(const FittedFem& near, SearchDepth depth) const;
 
   const Observations& seen_;
   std::vector<std::size_t> shots_;

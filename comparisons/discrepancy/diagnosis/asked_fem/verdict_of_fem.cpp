@@ -54,7 +54,7 @@ std::vector<const EffectInFem*> supported_by_fem(const Diagnosis& d, const Selec
   std::vector<const EffectInFem*> candidates;
   for (const EffectInFem& one : d.in_fem)
     if (one.fem == "supported" &&
-        one.information_criterion <= d.in_fem.front().information_criterion + rules.close_criterion)
+        one.criterion() <= d.in_fem.front().criterion() + rules.close_criterion)
       candidates.push_back(&one);
   if (candidates.empty() || candidates.front() != &d.in_fem.front()) return {};
   return candidates;
@@ -90,9 +90,8 @@ void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
 }  // namespace
 
 void sort_nearest_first(std::vector<EffectInFem>& in_fem) {
-  std::stable_sort(in_fem.begin(), in_fem.end(), [](const auto& a, const auto& b) {
-    return a.information_criterion < b.information_criterion;
-  });
+  std::stable_sort(in_fem.begin(), in_fem.end(),
+                   [](const auto& a, const auto& b) { return a.criterion() < b.criterion(); });
 }
 
 EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
@@ -114,6 +113,8 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
   drop_candidates(d);
   keep_gap_of_the_law(d);
   d.verdict = DiagnosisVerdict::agrees;
+  d.family = EffectFamily::none;
+  d.withheld.clear();
   d.gap.before = without.reduced_chi_square();
   d.gap.held_out_before = unseen;
   auto alone = std::make_shared<ModelDiscrepancy>(*d.fem_alone);
@@ -172,7 +173,7 @@ void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
                                taken + ", and beside a lumped law it does not explain the data");
   d.verdict = DiagnosisVerdict::family;
   d.family = family;
-  d.withheld = "it depends on the tier: " + taken + ", and no lumped form explains the data";
+  d.withheld = "it depends on the tier: " + taken + ", and beside a lumped law it has no name";
 }
 
 }  // namespace rebound

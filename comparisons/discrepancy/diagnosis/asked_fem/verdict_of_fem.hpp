@@ -6,10 +6,13 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
 
-/// What is said where nothing lumped explains the data, and FE was asked.
+/// What is said where nothing lumped has a name, and FE was asked.
 namespace rebound {
 
-/// By criterion.
+/// By criterion, of the unseen speed too: an effect that comes as near as another of another
+/// family, and follows that speed worse, is no rival.
+/// Limit:  without an unseen speed the criterion of the fits -> test
+/// VerdictOfFem.ARivalMustFollowTheUnseenSpeedAsWell
 void sort_nearest_first(std::vector<EffectInFem>& in_fem);
 
 /// What both tiers say of an effect. FE supports what pays, takes half of the gap, at the unseen
@@ -21,7 +24,8 @@ EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
 /// physics.
 bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen);
 
-/// The verdict is that model and data agree, with the gap that FE leaves.
+/// The verdict is that model and data agree, with the gap that FE leaves, whatever a search beside
+/// a lumped law has found -> test VerdictOfFem.NothingFoundStandsWhereFemFollows
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen);
 
 /// The family of `in_fem`, the nearest first: where all that FE supports within reach of the

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
+
 namespace rebound {
 namespace {
 
@@ -23,7 +27,11 @@ EffectInFem tried(const std::string& name, double left,
   EffectInFem one{.effect = {.name = name, .size = 0.1, .parameters = {}},
                   .information_criterion = 1000.0 * left,
                   .gap = {.before = left_without, .after = left}};
-  if (unseen) one.gap.held_out_before = unseen->before, one.gap.held_out_after = unseen->after;
+  if (unseen) {
+    one.gap.held_out_before = unseen->before;
+    one.gap.held_out_after = unseen->after;
+    one.unseen_chi_square = 1000.0 * unseen->after;
+  }
   one.family = find_effect(name).card.family;
   return with_verdicts(one, nothing_hidden(), {});
 }
@@ -32,6 +40,7 @@ Diagnosis concluded(std::vector<EffectInFem> in_fem) {
   Diagnosis d;
   d.verdict = DiagnosisVerdict::unexplained;
   d.in_fem = std::move(in_fem);
+  sort_nearest_first(d.in_fem);
   conclude_from_fem(d, {});
   return d;
 }
@@ -65,6 +74,17 @@ TEST(VerdictOfFem, TwoFamiliesWithinReachGiveNone) {
   EXPECT_EQ(concluded({tried("adhesion", 1.2), rival}).verdict, DiagnosisVerdict::unexplained);
   rival.information_criterion += 2.0;  // beyond reach
   EXPECT_EQ(concluded({tried("adhesion", 1.2), rival}).family, EffectFamily::surface);
+}
+
+/// Both explain what was fitted, and half of the gap at the unseen speed is gone with either.
+TEST(VerdictOfFem, ARivalMustFollowTheUnseenSpeedAsWell) {
+  const auto beside = [](double unseen_after) {
+    return concluded({tried("force-drift", 1.2, UnseenGap{4.0, unseen_after}),
+                      tried("adhesion", 1.203, UnseenGap{4.0, 1.3})});
+  };
+  EXPECT_EQ(beside(1.3).verdict, DiagnosisVerdict::unexplained);
+  EXPECT_EQ(beside(1.5).family, EffectFamily::surface);
+  EXPECT_EQ(beside(1.1).verdict, DiagnosisVerdict::measurement_fault);
 }
 
 TEST(VerdictOfFem, NearlyAllIsEnoughWhereNoOtherFamilyTakesHalf) {
@@ -145,6 +165,27 @@ TEST(VerdictOfFem, AWeakRivalMustNotLoseAtTheUnseenSpeed) {
   EXPECT_EQ(beside(0.99).verdict, DiagnosisVerdict::one_of);
   EXPECT_EQ(beside(1.01).verdict, DiagnosisVerdict::family);
   EXPECT_EQ(beside(1.01).family, EffectFamily::memory);
+}
+
+TEST(VerdictOfFem, NothingFoundStandsWhereFemFollows) {
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::family;
+  d.family = EffectFamily::dynamics;
+  d.candidates = {{"internal-mode"}};
+  d.withheld = "the unseen speed";
+  d.gap = {.before = 2.0, .after = 0.9};
+  d.fem_alone = std::make_shared<const ModelDiscrepancy>();
+  FemOfAllBalls without;
+  without.samples = 1000;
+  without.chi_square = 800.0;
+  let_fem_stand(d, without, 0.9);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::agrees);
+  EXPECT_EQ(d.family, EffectFamily::none);
+  EXPECT_TRUE(d.candidates.empty());
+  EXPECT_TRUE(d.withheld.empty());
+  EXPECT_EQ(d.gap.before, 0.8);
+  EXPECT_FALSE(d.gap.after);
+  EXPECT_EQ(d.law_alone->before, 2.0);
 }
 
 TEST(VerdictOfFem, NothingTriedLeavesTheVerdict) {
