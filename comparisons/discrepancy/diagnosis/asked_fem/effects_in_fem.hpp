@@ -26,7 +26,7 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
 /// and nothing beside it; true. Else the verdict stands.
 ///
 /// Limit:  what a plate needs beside it in the lumped tier alone is not named
-///         -> test BesideFem.APlateUnderABallOfFemIsSupported
+///         -> test BesideFem.APlateUnderABallOfFemNeedsNothingBesideIt
 /// Errors: as look_for_effects_in_fem().
 bool conclude_from_what_candidates_share(Diagnosis& d, const Observations& all,
                                          const SelectionRules& rules, const RunControl& control);

@@ -17,7 +17,7 @@ namespace rebound {
 ///
 /// Limit:  a plate under a ball of FE is supported, and what is hidden in data of a lumped law,
 /// which
-///         has no waves, is no-fit -> test BesideFem.APlateUnderABallOfFemIsSupported,
+///         has no waves, is no-fit -> test BesideFem.AStiffPlateUnderABallOfFemIsNamed,
 ///         DiagnoseCommand.FindsWhatIsHiddenAndItsModelRuns.
 /// Errors: Error(interrupted). Where FE has no answer, the tier stays "not-run", with a warning.
 void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRules& rules,
