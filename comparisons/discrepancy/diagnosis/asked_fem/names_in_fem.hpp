@@ -15,8 +15,7 @@ namespace rebound {
 /// A name that FE rejects is withheld, and the verdict says that it depends on the tier; of what
 /// several candidates have in common a warning says so.
 ///
-/// Limit:  a plate under a ball of FE is supported, and what is hidden in data of a lumped law,
-/// which
+/// Limit:  a plate under a ball of FE is supported; what is hidden in data of a lumped law, which
 ///         has no waves, is no-fit -> test BesideFem.AStiffPlateUnderABallOfFemIsNamed,
 ///         DiagnoseCommand.FindsWhatIsHiddenAndItsModelRuns.
 /// Errors: Error(interrupted). Where FE has no answer, the tier stays "not-run", with a warning.
