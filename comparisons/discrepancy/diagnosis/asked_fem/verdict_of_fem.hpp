@@ -11,8 +11,8 @@ namespace rebound {
 
 /// By criterion, of the unseen speed too: an effect that comes as near as another of another
 /// family, and follows that speed worse, is no rival.
-/// Limit:  without an unseen speed the criterion of the fits -> test
-/// VerdictOfFem.ARivalMustFollowTheUnseenSpeedAsWell
+/// Limit:  with no unseen speed: the criterion of the fits
+///         -> test VerdictOfFem.ARivalMustFollowTheUnseenSpeedAsWell
 void sort_nearest_first(std::vector<EffectInFem>& in_fem);
 
 /// What both tiers say of an effect. FE supports what pays, takes half of the gap, at the unseen
@@ -24,8 +24,9 @@ EffectInFem with_verdicts(EffectInFem one, const FemOfAllBalls& without,
 /// physics.
 bool is_the_noise(const FemOfAllBalls& without, const std::optional<double>& unseen);
 
-/// The verdict is that model and data agree, with the gap that FE leaves, whatever a search beside
-/// a lumped law has found -> test VerdictOfFem.NothingFoundStandsWhereFemFollows
+/// The verdict is that model and data agree, with the gap that FE leaves.
+/// Limit:  nothing stands of what a search beside a lumped law has found
+///         -> test VerdictOfFem.NothingFoundStandsWhereFemFollows
 void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<double> unseen);
 
 /// The family of `in_fem`, the nearest first: where all that FE supports within reach of the
