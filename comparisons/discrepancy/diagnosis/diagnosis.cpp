@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/names_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/weak_effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
@@ -188,6 +189,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
     withhold_what_repetition_denies(d, request.rules);
   }
   if (d.fem_alone) ask_fem(d, all, request.rules, {.interrupted = control.interrupted});
+  if (d.shots_in_fem) measure_shots_in_fem(d, all, {.interrupted = control.interrupted});
   suspect_what_contradicts_momentum(d, all);
   suspect_a_coarse_recorder(d);
   find_nearest_formulas(d);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment/next_experiment.hpp"
@@ -57,9 +58,19 @@ struct EffectInFem {
   /// was not fitted.
   std::optional<double> lumped_before, lumped_after;
   std::string lumped = "not-run", fem = "not-run";  ///< as those of NamedEffect
+  std::vector<FittedFem> without, with;             ///< balls, as they were fitted
 
   /// Of all shots: what no fit saw speaks without a penalty.
   double criterion() const { return information_criterion + unseen_chi_square; }
+};
+
+/// What FE leaves shot by shot, where the verdict rests on it.
+struct ShotsInFem {
+  std::string effect;                    ///< empty: FE with nothing hidden follows the data
+  std::vector<FittedFem> without, with;  ///< `with` is empty where there is no effect
+  /// Of the shots that were fitted, and of those that were not. A shot that FE does not look at, a
+  /// second one of the same speed, has no rows.
+  std::vector<ShotGap> before, after, unseen_before, unseen_after;
 };
 
 struct DiagnosisRequest {
@@ -103,6 +114,7 @@ struct Diagnosis {
   /// What the believed lumped law leaves by itself, where `gap` is with what a body of finite size
   /// adds to it; `before` and `held_out_before` alone.
   std::optional<Gap> law_alone;
+  std::optional<ShotsInFem> shots_in_fem;
   std::string withheld;  ///< why a single candidate has no name; empty: it has, or there is none
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;

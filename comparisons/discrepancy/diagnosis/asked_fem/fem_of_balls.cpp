@@ -8,6 +8,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -119,6 +120,40 @@ double FemOfBalls::unseen_samples() const {
   return samples;
 }
 
+std::vector<ShotGap> FemOfBalls::gaps_of_seen(const std::vector<FittedFem>& balls) const {
+  return gaps_of(seen_, balls);
+}
+
+std::vector<ShotGap> FemOfBalls::gaps_of_unseen(const std::vector<FittedFem>& balls) const {
+  return gaps_of(unseen_, balls);
+}
+
+std::vector<ShotGap> FemOfBalls::gaps_of(const Observations& shots_of,
+                                         const std::vector<FittedFem>& balls) const {
+  std::vector<ShotGap> gaps(balls.empty() ? 0 : shots_of.shots.size());
+  for (std::size_t ball = 0; ball < balls.size(); ++ball)
+    for (const std::size_t shot : shots_for_fem(shots_of, all_, ball)) {
+      const std::size_t rows = shots_of.shots[shot].trace.force.size();
+      gaps[shot] = {.rows = static_cast<int>(rows),
+                    .reduced_chi_square =
+                        chi_square_of(shots_of, {shot}, *d_.fem_alone->fem, balls[ball], control_) /
+                        static_cast<double>(rows)};
+    }
+  return gaps;
+}
+
+void measure_shots_in_fem(Diagnosis& d, const Observations& all, const RunControl& control) try {
+  const FemOfBalls balls(d, all, control);
+  ShotsInFem& shots = *d.shots_in_fem;
+  shots.before = balls.gaps_of_seen(shots.without);
+  shots.after = balls.gaps_of_seen(shots.with);
+  shots.unseen_before = balls.gaps_of_unseen(shots.without);
+  shots.unseen_after = balls.gaps_of_unseen(shots.with);
+} catch (const Error& error) {
+  if (error.code() != ExitCode::solver_failed) throw;
+  d.shots_in_fem.reset();
+}
+
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
                           const FemOfAllBalls& with, std::size_t k) {
   const auto ball = std::find_if(with.balls.begin(), with.balls.end(),
@@ -131,6 +166,8 @@ EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const Fem
                           .held_out_before = balls.unseen(without),
                           .held_out_after = balls.unseen(with)}};
   one.unseen_chi_square = one.gap.held_out_after.value_or(0.0) * balls.unseen_samples();
+  one.without = without.balls;
+  one.with = with.balls;
   one.family = find_effect(one.effect.name).card.family;
   std::set<std::string> names;
   for (const EffectChoice& effect : effects) names.insert(effect.name);

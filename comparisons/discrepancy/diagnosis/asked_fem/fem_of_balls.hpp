@@ -64,7 +64,15 @@ class FemOfBalls {
   /// Samples of those shots.
   double unseen_samples() const;
 
+  /// What these balls leave of each shot that was fitted, and of each that was not, as unseen(). A
+  /// shot that FE does not look at has no rows.
+  std::vector<ShotGap> gaps_of_seen(const std::vector<FittedFem>& balls) const;
+  std::vector<ShotGap> gaps_of_unseen(const std::vector<FittedFem>& balls) const;
+
  private:
+  std::vector<ShotGap> gaps_of(const Observations& shots_of,
+                               const std::vector<FittedFem>& balls) const;
+
   const Diagnosis& d_;
   const Observations& all_;
   RunControl control_;
@@ -77,5 +85,8 @@ class FemOfBalls {
 ///             ball at least
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
                           const FemOfAllBalls& with, std::size_t k);
+
+/// Fills in what FE leaves shot by shot; nothing where FE has no answer.
+void measure_shots_in_fem(Diagnosis& d, const Observations& all, const RunControl& control);
 
 }  // namespace rebound

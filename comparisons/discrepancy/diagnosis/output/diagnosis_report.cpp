@@ -144,7 +144,9 @@ report::Report diagnosis_report(const Diagnosis& d, const std::string& name,
     page.lead.push_back(report::Paragraph{text});
   if (const std::vector<std::string> balls = fem_balls_in_words(d); !balls.empty())
     page.lead.push_back(report::Paragraph{
-        fmt::format("FE's own ball with nothing hidden: {}. E is long-term, branches are over it.",
+        fmt::format("FE's own ball {}: {}. E is long-term, branches are over it.",
+                    d.fem_alone->plate_moves() ? "on the plate that FE has found under it"
+                                               : "with nothing hidden",
                     fmt::join(balls, "; "))});
   if (!d.in_fem.empty()) page.lead.push_back(tiers_table(d));
   if (d.gap.before)

@@ -88,6 +88,15 @@ Series points_of(const std::string& name, Origin origin) {
   return {.name = name, .origin = origin, .style = Series::Style::points};
 }
 
+/// A gap of thousands beside one of the noise.
+void space_by_decades_where_they_are_many(report::Figure& figure) {
+  constexpr double many = 30.0;
+  double largest = 0.0;
+  for (const Series& one : figure.series)
+    largest = std::max(largest, *std::max_element(one.y.begin(), one.y.end()));
+  if (largest > many) figure.y.spacing = report::Axis::Spacing::logarithmic;
+}
+
 }  // namespace
 
 report::Figure gap_figure(const Diagnosis& d) {
@@ -96,9 +105,10 @@ report::Figure gap_figure(const Diagnosis& d) {
       .caption =
           "Mean squared residual in variances of the noise: 1 is nothing missing, the band "
           "holds nineteen in twenty such shots. A point a shot." +
-          std::string(d.maps_the_law_alone() ? " Of the lumped law alone, without what a body of "
-                                               "finite size adds."
-                                             : ""),
+          std::string(d.maps_the_law_alone()
+                          ? " Points of the believed model are of the lumped law alone, without "
+                            "what a body of finite size adds."
+                          : ""),
       .x = {"approach speed", "m/s"},
       .y = {"reduced χ²", "1"}};
   Series noise = points_of("noise", Origin::derived);
@@ -124,12 +134,21 @@ report::Figure gap_figure(const Diagnosis& d) {
   if (d.unseen_after)
     add("unseen speed, " + std::string(after_name), Origin::predicted, *d.unseen,
         d.unseen_after->of_shots);
+  if (const auto& fem = d.shots_in_fem) {
+    const std::string alone = "FE with nothing hidden", with = "FE with " + fem->effect;
+    add(alone, Origin::fitted, *d.seen, fem->before);
+    add("unseen speed, " + alone, Origin::predicted, *d.unseen, fem->unseen_before);
+    add(with, Origin::fitted, *d.seen, fem->after);
+    add("unseen speed, " + with, Origin::predicted, *d.unseen, fem->unseen_after);
+  }
   if (figure.series.empty()) return figure;
+  space_by_decades_where_they_are_many(figure);
   const auto [slowest, fastest] = std::minmax_element(noise.x.begin(), noise.x.end());
   const double widest = *std::max_element(noise.y_high.begin(), noise.y_high.end());
   noise.x = {0.9 * *slowest, 1.05 * *fastest};
   noise.y = {1.0, 1.0};
-  noise.y_low.assign(2, std::max(0.0, 2.0 - widest));
+  constexpr double least_drawn = 0.05;  // a logarithm has no zero
+  noise.y_low.assign(2, std::max(least_drawn, 2.0 - widest));
   noise.y_high.assign(2, widest);
   figure.series.insert(figure.series.begin(), std::move(noise));
   return figure;

@@ -50,6 +50,7 @@ TEST(VerdictOfFem, WhatExplainsTheDataGivesItsFamily) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::family);
   EXPECT_EQ(d.family, EffectFamily::surface);
   EXPECT_EQ(d.candidates, (std::vector<std::vector<std::string>>{{"adhesion"}}));
+  EXPECT_EQ(d.shots_in_fem->effect, "adhesion");
 }
 
 TEST(VerdictOfFem, AFaultThatExplainsTheDataIsOfTheMeasurement) {
@@ -186,6 +187,7 @@ TEST(VerdictOfFem, NothingFoundStandsWhereFemFollows) {
   EXPECT_EQ(d.gap.before, 0.8);
   EXPECT_FALSE(d.gap.after);
   EXPECT_EQ(d.law_alone->before, 2.0);
+  EXPECT_EQ(d.shots_in_fem->effect, "");
 }
 
 TEST(VerdictOfFem, NothingTriedLeavesTheVerdict) {

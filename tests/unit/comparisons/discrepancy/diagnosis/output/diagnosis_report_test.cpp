@@ -95,6 +95,31 @@ TEST(DiagnosisReportTest, WhatFeFoundIsNotDrawnAsAFitBesideTheLaw) {
   EXPECT_EQ(gap_figure(d).series.size(), drawn);
 }
 
+/// Where the verdict rests on FE its points stand beside those of the law, by decades where the law
+/// is far off.
+TEST(DiagnosisReportTest, TheGapInFeIsDrawnShotByShot) {
+  Diagnosis d = testing::diagnose_hidden(testing::experiment_with({}, 3));
+  const std::size_t of_the_law = gap_figure(d).series.size();
+  EXPECT_EQ(gap_figure(d).y.spacing, report::Axis::Spacing::linear);
+  ASSERT_EQ(d.seen->shots.size(), 2u);
+  ASSERT_EQ(d.unseen->shots.size(), 1u);
+  d.shots_in_fem = ShotsInFem{.effect = "adhesion",
+                              .without = {},
+                              .with = {},
+                              .before = {{100, 50.0}, {100, 9.0}},
+                              .after = {{100, 1.1}, {}},
+                              .unseen_before = {{100, 20.0}},
+                              .unseen_after = {{100, 1.2}}};
+  const report::Figure figure = gap_figure(d);
+  EXPECT_EQ(figure.series.size(), of_the_law + 4);
+  const report::Series* before = series_of(figure, "FE with nothing hidden");
+  ASSERT_TRUE(before);
+  EXPECT_EQ(before->y, (std::vector{50.0, 9.0}));
+  EXPECT_EQ(series_of(figure, "FE with adhesion")->y, std::vector{1.1}) << "one was not looked at";
+  EXPECT_EQ(series_of(figure, "unseen speed, FE with adhesion")->y, std::vector{1.2});
+  EXPECT_EQ(figure.y.spacing, report::Axis::Spacing::logarithmic);
+}
+
 TEST(DiagnosisReportTest, OfFeTheFirstScreenSpeaksOnlyWhereFeWasAsked) {
   Diagnosis d = diagnose_hidden(experiment_with({}, 3));
   EXPECT_EQ(fem_sentence(d), "");
@@ -140,6 +165,10 @@ TEST(DiagnosisReportTest, FesOwnBallIsSaidInWords) {
   fitted.balls = {ball};
   d.fem_alone = std::make_shared<const ModelDiscrepancy>(fitted);
   EXPECT_EQ(fem_balls_in_words(d), std::vector{fem_ball_in_words(ball)});
+  EXPECT_NE(lead_of(d).find("FE's own ball on the plate that FE has found under it: ogden, E 12.3"),
+            std::string::npos);
+  fitted.balls.front().effects.clear();
+  d.fem_alone = std::make_shared<const ModelDiscrepancy>(fitted);
   EXPECT_NE(lead_of(d).find("FE's own ball with nothing hidden: ogden, E 12.3 MPa"),
             std::string::npos);
 }
