@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
 #include "lumped/problem/error.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/run_control.hpp"
