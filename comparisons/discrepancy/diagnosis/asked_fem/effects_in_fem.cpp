@@ -8,6 +8,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/effect_fits_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_of_balls.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -31,11 +32,6 @@ bool is_worth_asking(const Diagnosis& d, const FemOfAllBalls& without) {
   return d.model_discrepancy != nullptr ||
          without.reduced_chi_square() <= d.selection.baseline.fit.reduced_chi_square() ||
          surface_leads(d.selection);
-}
-
-bool is_plate(const std::string& effect) {
-  const EffectCard& card = find_effect(effect).card;
-  return card.oscillator || card.oscillator_pair;
 }
 
 bool all_hold(const std::vector<std::vector<std::string>>& candidates,

@@ -7,17 +7,20 @@
 namespace rebound {
 namespace {
 
+/// The effect as FE has it: of a plate on a frame the plate.
+const std::string& name_in_fem(const EffectCard& card) {
+  return card.oscillator_pair && !card.contains.empty() ? card.contains : card.name;
+}
+
 /// As FE has it; nothing of what is no plate.
 std::optional<EffectChoice> as_plate_of_fem(const EffectChoice& choice) {
-  const EffectCard& card = find_effect(choice.name).card;
-  EffectChoice plate = choice;
-  if (card.oscillator_pair && !card.contains.empty()) {
-    plate = {.name = card.contains, .size = choice.size, .parameters = {}};
-    for (const EffectParameterCard& one : find_effect(plate.name).card.parameters)
-      plate.parameters[one.name] = choice.parameters.at(one.name);
-  }
-  const Effect& effect = find_effect(plate.name);
-  return effect.card.oscillator && effect.to_fem ? std::optional(plate) : std::nullopt;
+  if (!is_plate(choice.name)) return std::nullopt;
+  const std::string& name = name_in_fem(find_effect(choice.name).card);
+  if (name == choice.name) return choice;
+  EffectChoice plate{.name = name, .size = choice.size, .parameters = {}};
+  for (const EffectParameterCard& one : find_effect(name).card.parameters)
+    plate.parameters[one.name] = choice.parameters.at(one.name);
+  return plate;
 }
 
 std::optional<EffectChoice> plate_of(const HypothesisFit& fit, std::size_t known) {
@@ -35,6 +38,11 @@ const HypothesisFit* fit_of_plate_alone(const EffectSelection& found) {
 }
 
 }  // namespace
+
+bool is_plate(const std::string& effect) {
+  const Effect& in_fem = find_effect(name_in_fem(find_effect(effect).card));
+  return in_fem.card.oscillator && in_fem.to_fem;
+}
 
 std::vector<EffectChoice> plates_found(const EffectSelection& found, const Observations& seen) {
   const std::size_t known = found.baseline.fit.effects.size();

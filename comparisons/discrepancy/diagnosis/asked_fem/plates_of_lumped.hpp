@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/search/selection.hpp"
@@ -9,6 +10,10 @@
 /// Plates that a lumped search has found, as FE has them: a mass on its load cell. Of one on a
 /// frame, which FE has not, the plate alone.
 namespace rebound {
+
+/// Is it a plate under the ball, alone or on a frame? A mass within the ball swings, too, and is
+/// none. Limit:  an inner mode is none -> test PlatesOfLumped.AMassWithinTheBallIsNoPlate
+bool is_plate(const std::string& effect);
 
 /// That of the best fit with a plate, beside whatever effects, and that of the best fit with a
 /// plate alone, at every strength; none where no fit holds one. Limit:  a plate on a frame gives

@@ -33,6 +33,13 @@ const EffectChoice on_a_frame{.name = "plate-on-frame",
                                              {"frame_mass_ratio", 4.0}}};
 const EffectChoice relaxation{.name = "relaxation", .size = 0.2, .parameters = {}};
 
+TEST(PlatesOfLumped, AMassWithinTheBallIsNoPlate) {
+  EXPECT_TRUE(is_plate("plate-compliance"));
+  EXPECT_TRUE(is_plate("plate-on-frame"));
+  EXPECT_FALSE(is_plate("internal-mode"));
+  EXPECT_FALSE(is_plate("relaxation"));
+}
+
 TEST(PlatesOfLumped, OneAloneIsTriedAtEveryStrength) {
   const auto plates = plates_found(search_with({plate}, 100.0), one_ball());
   ASSERT_EQ(plates.size(), 6u);
