@@ -22,7 +22,7 @@ struct PrincipalStretches {
 };
 
 // Inlined, as the stress and the growth of the laws that use it are: both need the same stretches,
-// and a kernel takes a fifth less time where the compiler sees that.
+// which the compiler then computes once.
 template <class T>
 [[gnu::always_inline]] inline PrincipalStretches<T> principal_stretches_of(const Strain<T>& e) {
   const auto& c = e.right_cauchy_green;

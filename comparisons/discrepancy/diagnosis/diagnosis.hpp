@@ -66,11 +66,11 @@ struct EffectInFem {
 
 /// What FE leaves shot by shot, where the verdict rests on it.
 struct ShotsInFem {
-  std::string effect;                    ///< empty: FE with nothing hidden follows the data
-  std::vector<FittedFem> without, with;  ///< `with` is empty where there is no effect
+  std::string effect;                      ///< empty: FE with nothing hidden follows the data
+  std::vector<FittedFem> without, with{};  ///< `with` is empty where there is no effect
   /// Of the shots that were fitted, and of those that were not. A shot that FE does not look at, a
   /// second one of the same speed, has no rows.
-  std::vector<ShotGap> before, after, unseen_before, unseen_after;
+  std::vector<ShotGap> before{}, after{}, unseen_before{}, unseen_after{};
 };
 
 struct DiagnosisRequest {

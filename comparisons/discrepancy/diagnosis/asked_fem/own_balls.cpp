@@ -94,12 +94,12 @@ OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
                        const HypothesisFit& lumped, const FemBelief& fem, const RunControl& control)
     : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
 
-FittedFem OwnBallFit::to(const FittedFem& near, SearchDepth depth) const {
+FittedFem OwnBallFit::fitted_from(const FittedFem& near, SearchDepth depth) const {
   return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_, depth);
 }
 
 FittedFem OwnBallFit::again(const FittedFem& near) const {
-  return to(near, near.effects.empty() ? SearchDepth::whole : SearchDepth::near);
+  return fitted_from(near, near.effects.empty() ? SearchDepth::whole : SearchDepth::near);
 }
 
 FittedFem OwnBallFit::of_other_times(FittedFem best) const {
@@ -118,7 +118,7 @@ FittedFem OwnBallFit::of_other_times(FittedFem best) const {
 }
 
 std::optional<FittedFem> OwnBallFit::fitted(const FittedFem& near, SearchDepth depth) const try {
-  return to(near, depth);
+  return fitted_from(near, depth);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
   return std::nullopt;  // no impact from that start

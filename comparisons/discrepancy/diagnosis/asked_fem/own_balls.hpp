@@ -60,7 +60,7 @@ class OwnBallFit {
                           const std::vector<EffectChoice>& plates) const;
 
  private:
-  FittedFem to(const FittedFem& near, SearchDepth depth) const;
+  FittedFem fitted_from(const FittedFem& near, SearchDepth depth) const;
   FittedFem of_other_times(FittedFem best) const;
   std::optional<FittedFem> fitted(const FittedFem& near, SearchDepth depth) const;
 

@@ -85,13 +85,7 @@ void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
   const double held_out_noise = d.gap.held_out_noise;
   d.gap = found.gap;
   d.gap.held_out_noise = held_out_noise;
-  d.shots_in_fem = ShotsInFem{.effect = found.effect.name,
-                              .without = found.without,
-                              .with = found.with,
-                              .before = {},
-                              .after = {},
-                              .unseen_before = {},
-                              .unseen_after = {}};
+  d.shots_in_fem = {.effect = found.effect.name, .without = found.without, .with = found.with};
 }
 
 }  // namespace
@@ -127,13 +121,7 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
   auto alone = std::make_shared<ModelDiscrepancy>(*d.fem_alone);
   alone->balls = without.balls;  // that a search for effects may have brought nearer
   d.fem_alone = std::move(alone);
-  d.shots_in_fem = ShotsInFem{.effect = {},
-                              .without = without.balls,
-                              .with = {},
-                              .before = {},
-                              .after = {},
-                              .unseen_before = {},
-                              .unseen_after = {}};
+  d.shots_in_fem = {.effect = {}, .without = without.balls};
 }
 
 void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {

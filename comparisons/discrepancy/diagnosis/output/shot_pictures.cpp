@@ -147,8 +147,10 @@ report::Figure gap_figure(const Diagnosis& d) {
   const double widest = *std::max_element(noise.y_high.begin(), noise.y_high.end());
   noise.x = {0.9 * *slowest, 1.05 * *fastest};
   noise.y = {1.0, 1.0};
-  constexpr double least_drawn = 0.05;  // a logarithm has no zero
-  noise.y_low.assign(2, std::max(least_drawn, 2.0 - widest));
+  constexpr double least_of_decades = 0.05;  // a logarithm has no zero
+  const double least =
+      figure.y.spacing == report::Axis::Spacing::logarithmic ? least_of_decades : 0.0;
+  noise.y_low.assign(2, std::max(least, 2.0 - widest));
   noise.y_high.assign(2, widest);
   figure.series.insert(figure.series.begin(), std::move(noise));
   return figure;
