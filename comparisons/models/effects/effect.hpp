@@ -179,6 +179,9 @@ struct EffectCard {
   /// A free form of so many numbers that it is tried only where no single effect is adequate.
   bool after_single_effects = false;
   std::vector<CurveCard> curves{};  ///< of a free form
+  /// Numbers of a free form from which a search begins, too, all others at their defaults: where
+  /// what begins from nothing does not find a force that jumps at first touch.
+  std::map<std::string, double> begins_from{};
   /// Of a free form that contains others: the same body as a fitted one of those has it, with its
   /// numbers; nothing for other effects. A search starts there too.
   std::optional<EffectChoice> (*from_part)(const EffectChoice& part) = nullptr;

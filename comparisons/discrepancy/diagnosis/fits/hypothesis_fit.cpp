@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "comparisons/inference/calibration/autocorrelation.hpp"
@@ -80,6 +81,39 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
       fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
 }
 
+double left_of(const JointModel& model, const std::vector<double>& values) {
+  const std::vector<double> residuals = model.residuals(values);
+  return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+}
+
+CalibrationResult search_at(CalibrationProblem& problem, const std::vector<double>& start,
+                            const RunControl& control) {
+  for (std::size_t i = 0; i < start.size(); ++i) problem.parameters[i].start = start[i];
+  return calibrate(problem, control);
+}
+
+/// Searches from the numbers that a problem starts with: from settled starts of the records, once
+/// more where the search has left these for others; and from where forces jump, where the model's
+/// do.
+CalibrationResult search_from(const JointModel& model, CalibrationProblem& problem,
+                              const RunControl& control) {
+  constexpr int most_searches = 3;
+  constexpr double worth_a_search = 6.0;  // of χ²
+  std::vector<double> start;
+  for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
+  CalibrationResult best = search_at(problem, model.with_settled_starts(start), control);
+  if (const std::vector<double> at_jumps = model.with_starts_at_jumps(start); at_jumps != start) {
+    CalibrationResult other = search_at(problem, at_jumps, control);
+    if (other.cost_after < best.cost_after) best = std::move(other);
+  }
+  for (int count = 1; !model.fem() && count < most_searches; ++count) {
+    const std::vector<double> settled = model.with_settled_starts(best.values());
+    if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
+    best = search_at(problem, settled, control);
+  }
+  return best;
+}
+
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, SearchEffort effort, const RunControl& control) {
   HypothesisFit fit;
@@ -100,7 +134,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   if (problem.parameters.empty()) {
     fit.residuals = model->residuals({});
   } else {
-    fit.search = calibrate(problem, control);
+    fit.search = search_from(*model, problem, control);
     fit.values = fit.search.values();
     fit.residuals = model->residuals(fit.values);
   }
@@ -200,9 +234,13 @@ HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) 
   const std::vector<double> unseen_starts = model.start();
   const auto& own = model.shot_nuisances();
   for (const std::size_t index : own) values[index] = unseen_starts[index];
+  values = model.with_settled_starts(std::move(values));
   if (!own.empty()) {
     CalibrationProblem problem;
-    for (const std::size_t index : own) problem.parameters.push_back(model.unknowns()[index]);
+    for (const std::size_t index : own) {
+      problem.parameters.push_back(model.unknowns()[index]);
+      problem.parameters.back().start = values[index];
+    }
     // Priors are among the residuals, those of what stays as fitted too.
     for (CalibrationParameter& unknown : problem.parameters) unknown.prior.reset();
     problem.residuals = [&](const std::vector<double>& free) {

@@ -135,6 +135,16 @@ class JointModel {
   const ModelledImpact& impact(const std::vector<double>& values, std::size_t shot) const {
     return *kept_impact(values, shot);
   }
+  /// These values with the start of every record where it leaves least of its shot, of those
+  /// within three samples. A force that jumps at first touch has a least wherever one sample more
+  /// falls before it: no search by slopes leaves one for the next. In FE, where every force rises
+  /// smoothly, as they are.
+  /// Limit:  starts that are off by two samples are found -> test
+  /// SettledStartsTest.AreFoundWhereTheForceJumps
+  std::vector<double> with_settled_starts(std::vector<double> values) const;
+  /// These values with the start of every record where its force leaves the noise, for shots whose
+  /// modelled force jumps there; as they are where it rises smoothly.
+  std::vector<double> with_starts_at_jumps(std::vector<double> values) const;
   /// An impact that was not measured: that of a shot, so many times as fast and as heavy.
   ModelledImpact planned_impact(const std::vector<double>& values, std::size_t like,
                                 double speed_factor, double mass_factor) const;

@@ -68,6 +68,7 @@ class EffectSearch {
   static Ranked ranking(const EffectSensitivities& around, double chi_square);
   Ranked best_of_each_kind(const Ranked& ranked) const;
   std::vector<Extension> extensions(std::size_t count) const;
+  const HypothesisFit* fitted_part_of(const EffectCard& card) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
   std::vector<HypothesisFit> with_own_sizes() const;

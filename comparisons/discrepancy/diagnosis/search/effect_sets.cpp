@@ -43,8 +43,13 @@ bool has_own_sizes(const HypothesisFit& fit) {
 }  // namespace
 
 bool EffectSearch::sets_of(std::size_t count) {
-  return found(fit_extensions(extensions(count), count == 2 ? free_forms(base().effects, true)
-                                                            : std::vector<std::string>{}));
+  std::vector<std::string> forms;
+  if (count == 2) {
+    forms = free_forms(base().effects, true);
+    for (const std::string& name : free_forms(base().effects, false))
+      if (fitted_part_of(find_effect(name).card)) forms.push_back(name);
+  }
+  return found(fit_extensions(extensions(count), forms));
 }
 
 void EffectSearch::sets_beside_curves() {
@@ -79,10 +84,22 @@ EffectSearch::Fits EffectSearch::fit_extensions(std::vector<Extension> all,
   return fits;
 }
 
+/// The single mass that two masses in series contain, as fitted; null for other forms.
+const HypothesisFit* EffectSearch::fitted_part_of(const EffectCard& card) const {
+  if (!card.oscillator_pair) return nullptr;
+  for (const AssessedFit& one : selection_.tried)
+    if (added(one.fit) == 1 && one.fit.effects.back().name == card.contains) return &one.fit;
+  return nullptr;
+}
+
 /// A free form of many numbers is looked for from nothing, and from the free forms that it
-/// contains.
+/// contains; two masses in series from the one that is fitted.
 HypothesisFit EffectSearch::look_at_whole(const EffectCard& card,
                                           const std::vector<AssessedFit>& before) const {
+  if (const HypothesisFit* part = fitted_part_of(card))
+    return fit_extended(seen_, base(),
+                        starts_around_a_part(card, part->effects.back(), seen_, around_),
+                        SearchEffort::first_look, within());
   HypothesisFit best = fit_extended(seen_, base(), starts_of_free_form(card, seen_, base()),
                                     SearchEffort::first_look, within());
   for (const AssessedFit& one : before) {

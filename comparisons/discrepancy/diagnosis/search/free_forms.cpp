@@ -102,6 +102,10 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
     value = std::clamp(value, parameter.range.lowest, parameter.range.highest);
   }
   std::vector<EffectChoice> starts{start};
+  if (!card.begins_from.empty()) {
+    EffectChoice& other = starts.emplace_back(start);
+    for (const auto& [name, value] : card.begins_from) other.parameters[name] = value;
+  }
   for (const EffectParameterCard& parameter : card.parameters) {
     if (!is_unknown(parameter, fit.model->fem() != nullptr, start)) continue;
     std::vector<double> places = parameter.tried;
@@ -129,6 +133,25 @@ std::vector<EffectChoice> starts_of_a_pair(const EffectCard& card, const Observa
         for (const double strength : {0.03, 0.1, 0.3})
           all.push_back(card.oscillator_pair->with(
               std::min(shown[i], shown[j]), std::max(shown[i], shown[j]), share, strength, ball));
+  return around.best_of(all, searches);
+}
+
+std::vector<EffectChoice> starts_around_a_part(const EffectCard& card, const EffectChoice& part,
+                                               const Observations& seen,
+                                               const EffectSensitivities& around) {
+  constexpr std::size_t searches = 3;
+  const OscillatorCard& oscillator = *find_effect(part.name).card.oscillator;
+  const double ball = seen.shots.front().sphere.mass, own = oscillator.frequency_of(part);
+  const double strength = ball / part.parameters.at("mass");
+  std::vector<EffectChoice> all;
+  for (const double ratio : {0.2, 0.3, 0.4, 0.55, 0.75})
+    for (const double slow : {own, own * ratio})
+      for (const double share : {0.2, 0.4, 0.6, 0.8})
+        for (const double factor : {0.5, 1.0, 2.0}) {
+          all.push_back(
+              card.oscillator_pair->with(slow, slow / ratio, share, factor * strength, ball));
+          all.back().parameters.at("damping_ratio") = part.parameters.at("damping_ratio");
+        }
   return around.best_of(all, searches);
 }
 

@@ -23,6 +23,12 @@ std::vector<EffectChoice> starts_of_free_form(const EffectCard& card, const Obse
 std::vector<EffectChoice> starts_of_a_pair(const EffectCard& card, const Observations& seen,
                                            const EffectSensitivities& around);
 
+/// The same from one mass that is fitted: it is the slower or the faster of both, with its damping.
+/// A mass whose ringing fades within the contact shows no second line after it.
+std::vector<EffectChoice> starts_around_a_part(const EffectCard& card, const EffectChoice& part,
+                                               const Observations& seen,
+                                               const EffectSensitivities& around);
+
 /// A factor, or a pull, found without a formula, over what it depends on. Where a number of the law
 /// takes its level, a factor is over its own mean: stiffness and the level of an elastic curve are
 /// one number, and what is found is the shape.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace rebound {
 namespace {
@@ -40,8 +41,9 @@ EffectFamily common_family(const std::vector<FamilySet>& candidates) {
 EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained) {
   constexpr double most = 0.8, half = 0.5, hardly_any = 0.125;
+  constexpr double far_less = 0.25;  // of what another leaves
   const std::map<EffectFamily, double> shares = largest_shares(explained);
-  EffectFamily found = EffectFamily::none;
+  std::vector<std::pair<double, EffectFamily>> left;
   for (const auto& one : shares) {
     const EffectFamily family = one.first;
     const double share = one.second;
@@ -51,11 +53,12 @@ EffectFamily main_family(const std::vector<FamilySet>& candidates,
     const bool is_alone = std::all_of(shares.begin(), shares.end(), [&](const auto& other) {
       return other.first == family || other.second < hardly_any;
     });
-    if (!in_all || share < (is_alone ? half : most)) continue;
-    if (found != EffectFamily::none) return EffectFamily::none;
-    found = family;
+    if (in_all && share >= (is_alone ? half : most)) left.emplace_back(1.0 - share, family);
   }
-  return found;
+  std::sort(left.begin(), left.end());
+  const bool stands_out =
+      !left.empty() && (left.size() == 1 || left[0].first <= far_less * left[1].first);
+  return stands_out ? left.front().second : EffectFamily::none;
 }
 
 std::vector<ExplainedShare> nearest_formulas(EffectFamily family,

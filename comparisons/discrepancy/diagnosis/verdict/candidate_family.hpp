@@ -22,8 +22,9 @@ struct ExplainedShare {
 EffectFamily common_family(const std::vector<FamilySet>& candidates);
 
 /// The family that every candidate has a member of and that explains by itself four fifths of what
-/// the best candidate does, or half of it where no other family explains an eighth by itself; none
-/// where two families do so.
+/// the best candidate does, or half of it where no other family explains an eighth by itself. Of
+/// two that do so, the one that leaves a quarter at most of what the other leaves; none where
+/// neither does.
 EffectFamily main_family(const std::vector<FamilySet>& candidates,
                          const std::vector<ExplainedShare>& explained);
 

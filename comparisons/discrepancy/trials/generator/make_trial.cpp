@@ -135,6 +135,9 @@ Trial make_trial(const TrialRequest& request) {
   Trial trial = draw_experiment(request);
   draw_effects(trial);
   trial.visible_chi_square = visible_chi_square(trial, trial.effects);
+  if (in_fem(request))
+    trial.visible_chi_square =
+        std::min(trial.visible_chi_square, least_chi_square_in_fem(trial, trial.effects));
   if (!in_fem(request)) trial.rivals = rivals_of(trial);  // of forms that do not run in FE
   const NoiseFree free = in_fem(request) ? simulate_in_fem(trial, trial.effects, cells_of_data)
                                          : simulate_trial(trial, trial.effects);

@@ -137,11 +137,15 @@ Refit what_shows(const Trial& trial, const std::vector<HiddenEffect>& effects,
 /// χ² of that, at the effects' own times. Errors: NoRebound.
 double visible_chi_square(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
-/// The same in finite elements: what is left beside the nearest ball with nothing hidden, whose
-/// modulus, Poisson ratio, branches, starts of shots and elastic law are fitted, beside gain,
-/// offset and speeds, which enter to first order. Errors: NoRebound. Limit:  a delay of all shots
-/// shows nothing -> test FemTrials.ADelayOfAllShotsShowsNothing
+/// The same in finite elements: what is left beside a ball with nothing hidden, whose modulus,
+/// Poisson ratio, branches, starts of shots and elastic law are fitted in a few steps, beside gain,
+/// offset and speeds, which enter to first order. Sizes are searched with it. Errors: NoRebound.
+/// Limit:  a delay of all shots shows nothing -> test FemTrials.ADelayOfAllShotsShowsNothing
 double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects);
+
+/// The same beside the nearest ball that is found from every elastic law with steps until they
+/// settle: the label of a trial. Errors: NoRebound.
+double least_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects);
 
 /// The noise-free reading of one shot, before clipping and rounding.
 std::vector<double> recorded(const NoiseFree& free, std::size_t shot, const Sampling& sampling);

@@ -89,19 +89,19 @@ TEST(FactorCurveTest, ALoopGrowsWithTheLargestDeflection) {
   EXPECT_LT(result.closures.energy, 1e-6);
 }
 
-// Over √(x/R) a line is √x ẋ, and a constant a dashpot.
-TEST(FactorCurveTest, ALineOfDampingIsKuwabaraAndKono) {
-  const LumpedProblem expected = test::typical_problem("kuwabara-kono");
+// Over (x/R)^(1/4) a line is x^(1/4) ẋ, and a constant a dashpot.
+TEST(FactorCurveTest, ALineOfDampingIsTsujis) {
+  const LumpedProblem expected = test::typical_problem("tsuji");
   const double k = expected.model.parameters.at("stiffness");
-  const double a = expected.model.parameters.at("dissipation_time");
+  const double c = expected.model.parameters.at("damping");
   LumpedProblem problem = test::typical_problem("hunt-crossley");
   problem.model.parameters = {{"stiffness", k}, {"damping", 0.0}};
   DampingFactors& damping = problem.model.mechanisms.damping;
   damping.rate_curve.end = 20.0;
-  damping.added.end = 1.0;  // √(x/R) = 1
+  damping.added.end = 1.0;  // (x/R)^(1/4) = 1
   const double radius = problem.sphere.radius();
   const double unit = k * std::pow(radius, 1.5) / damping.rate_curve.end;
-  const double at_end = 1.5 * a * k * std::sqrt(radius) / unit;
+  const double at_end = c * std::pow(radius, 0.25) / unit;
   for (std::size_t i = 0; i < FactorCurve::points; ++i)
     damping.added.value[i] = 0.2 * static_cast<double>(i) * at_end;
   const LumpedResult by_law = simulate(expected), by_curve = simulate(problem);

@@ -49,6 +49,26 @@ TEST(FamilyTest, ABulgeInTheElasticForceIsOfTheElasticFamily) {
   EXPECT_EQ(wrong, 0);
 }
 
+/// A plate on a frame, both with a damping ratio of 0.08: their ringing fades within a contact, so
+/// that no second line shows after it.
+TEST(FamilyTest, AFrameWhoseRingingFadesAtOnceIsOfTheDynamics) {
+  constexpr int seeds = 3;
+  for (int seed = 0; seed < seeds; ++seed) {
+    SynthesisFile file = experiment_with({{"plate-on-frame",
+                                           3e-9,
+                                           {{"mass", 0.8},
+                                            {"damping_ratio", 0.08},
+                                            {"frame_stiffness_ratio", 0.8},
+                                            {"frame_mass_ratio", 4.5}}}},
+                                         90 + seed);
+    file.instrument.force_noise = 5.0;
+    const Diagnosis d = diagnose_hidden(file);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::family) << seed;
+    EXPECT_EQ(d.family, EffectFamily::dynamics) << seed;
+    EXPECT_LT(*d.gap.after, 1.3) << seed;
+  }
+}
+
 /// A pull that grows with the deflection, is larger on the way back, and lets go a tenth of the
 /// reach beyond the plate.
 EffectChoice sticky_surface() {

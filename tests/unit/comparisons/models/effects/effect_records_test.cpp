@@ -78,12 +78,13 @@ TEST(EffectRecordsTest, SeveralNumbersOfTheLumpedProblem) {
         })}});
 }
 
-// The damper's curve runs over √(x/R); damping follows an elastic curve in the share that is asked.
+// The damper's curve runs over (x/R)^(1/4); damping follows an elastic curve in the share that is
+// asked.
 TEST(EffectRecordsTest, CurvesReachWhereTheirCardsSay) {
   LumpedProblem damped = test::problem_for_effects();
   apply_effects({{"damping-curves",
                   0.2,
-                  {{"deflection_reach", 0.09}, {"deflection_3", 0.4}, {"rate_reach", 12.0}}}},
+                  {{"deflection_reach", 0.0081}, {"deflection_3", 0.4}, {"rate_reach", 12.0}}}},
                 damped);
   const DampingFactors& damping = damped.model.mechanisms.damping;
   EXPECT_DOUBLE_EQ(damping.added.end, 0.3);

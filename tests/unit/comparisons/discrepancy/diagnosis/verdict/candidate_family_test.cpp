@@ -53,6 +53,16 @@ TEST(CandidateFamilyTest, NoMainFamilyWhereTwoExplainMost) {
       none);
 }
 
+// Beside an elastic curve that leaves hardly anything, damping that follows the force explains most
+// of the gap by itself, too, and leaves many times as much.
+TEST(CandidateFamilyTest, MainOfTwoIsTheOneThatLeavesFarLess) {
+  using enum EffectFamily;
+  const std::vector<FamilySet> both{{elastic, rate}};
+  const ExplainedShare damping{{"damping-curves"}, {rate}, 0.9};
+  EXPECT_EQ(main_family(both, {{{"elastic-curve"}, {elastic}, 0.98}, damping}), elastic);
+  EXPECT_EQ(main_family(both, {{{"elastic-curve"}, {elastic}, 0.97}, damping}), none);
+}
+
 TEST(CandidateFamilyTest, NearestFormulasAreThoseThatExplainHalfAloneAndNoFreeForm) {
   using enum EffectFamily;
   const auto nearest =

@@ -1,0 +1,68 @@
+// Starts of records whose force jumps at first touch.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
+
+namespace rebound {
+namespace {
+
+/// At 15 m/s the dashpot alone is 900 N at first touch, within one sample of 10 microseconds.
+const EffectChoice dashpot{"linear-dashpot", 60.0, {}};
+
+struct JumpingForce {
+  SynthesisFile file = testing::experiment_with({dashpot}, 3);
+  Observations seen = observe({testing::measured_data(file)});
+  Hypothesis hypothesis{
+      .believed = file.lumped, .effects = {dashpot}, .model_discrepancy = nullptr};
+};
+
+double left(const JointModel& model, const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double residual : model.residuals(values)) sum += residual * residual;
+  return sum;
+}
+
+TEST(SettledStartsTest, AreFoundWhereTheForceJumps) {
+  JumpingForce jump;
+  const HypothesisFit fit = fit_hypothesis(jump.seen, jump.hypothesis);
+  ASSERT_LT(fit.reduced_chi_square(), 1.2);
+  const std::vector<double>& time = jump.seen.shots[1].trace.time;
+  const double sample = time[1] - time[0];
+  std::vector<double> shifted = fit.values;
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < shifted.size(); ++i)
+    if (fit.model->unknowns()[i].name.starts_with("start, ")) starts.push_back(i);
+  ASSERT_EQ(starts.size(), 3u);
+  for (const std::size_t i : starts) shifted[i] += (i % 2 == 0 ? 2.0 : -2.0) * sample;
+  ASSERT_GT(left(*fit.model, shifted), 10.0 * fit.chi_square);
+  const std::vector<double> settled = fit.model->with_settled_starts(shifted);
+  for (const std::size_t i : starts) EXPECT_NEAR(settled[i], fit.values[i], 0.1 * sample) << i;
+  EXPECT_LT(left(*fit.model, settled), 1.1 * fit.chi_square);
+}
+
+TEST(SettledStartsTest, StayWhereNothingIsBetter) {
+  JumpingForce jump;
+  const HypothesisFit fit = fit_hypothesis(jump.seen, jump.hypothesis);
+  EXPECT_LE(left(*fit.model, fit.model->with_settled_starts(fit.values)), fit.chi_square + 1e-9);
+}
+
+/// The law rises smoothly, and its records start earlier than those of the data: the dashpot that
+/// is then looked for must take them along.
+TEST(SettledStartsTest, AreTakenAlongBySearches) {
+  JumpingForce jump;
+  const HypothesisFit law = fit_hypothesis(
+      jump.seen,
+      {.believed = testing::believed_law(), .effects = {}, .model_discrepancy = nullptr});
+  ASSERT_GT(law.reduced_chi_square(), 10.0);
+  const HypothesisFit found =
+      fit_extended(jump.seen, law, {{"linear-dashpot", 20.0, {}}}, SearchEffort::whole);
+  EXPECT_LT(found.reduced_chi_square(), 1.2);
+  EXPECT_NEAR(found.effects.back().size, dashpot.size, 0.1 * dashpot.size);
+}
+
+}  // namespace
+}  // namespace rebound
