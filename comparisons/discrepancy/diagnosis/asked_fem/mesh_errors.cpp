@@ -10,9 +10,10 @@
 namespace rebound {
 namespace {
 
-/// Of what so many halvings of the edge change, what counts as missing yet.
+/// Of what so many halvings of the edge change, what an edge of nothing would change yet.
 double missing_beyond(int halvings) {
-  return halvings > 1 ? 0.4 : 0.547;
+  constexpr double order = 1.5;
+  return 1.0 / (std::exp2(order * halvings) - 1.0);
 }
 
 void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,

@@ -26,10 +26,10 @@ struct TwoMeshes {
 
 /// Two meshes compared at every speed of the data.
 ///
-/// Of what one halving of the edge changes 0.55 is missing yet, 1/(2^(3/2) - 1): order 3/2 is that
-/// of a contact whose edge moves over the mesh (`accuracy/numerical_error`). Of two halvings 0.4
-/// counts as missing, where order 3/2 leaves 0.14: what they change is known for one ball, and a
-/// search moves on to others.
+/// Of what n halvings of the edge change 1/(2^(3n/2) - 1) is missing yet, 0.55 of one and 0.14 of
+/// two: order 3/2 is that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
+/// That what they change is known for one ball, and that a search moves on to others, is no part of
+/// it: where the ball that was found does not follow, meshes are compared for it again.
 struct MeshErrors {
   std::vector<KnownDifferences> known;  ///< what the finer mesh adds, at these speeds alone
   double of_history = 0.0;              ///< rms over the contact, over the peak; the largest [-]
