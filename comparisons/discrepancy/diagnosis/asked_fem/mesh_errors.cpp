@@ -10,15 +10,9 @@
 namespace rebound {
 namespace {
 
-/// Of what so many halvings of the edge change, what an edge of nothing would change yet.
-double missing_beyond(int halvings) {
-  constexpr double order = 1.5;
-  return 1.0 / (std::exp2(order * halvings) - 1.0);
-}
-
 void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,
                   const TwoMeshes& meshes, MeshErrors& errors) {
-  const double missing = missing_beyond(meshes.halvings);
+  const double missing = share_missing_beyond(meshes.halvings);
   std::vector<ModelledImpact> before(impacts.size()), after(impacts.size());
   in_parallel(impacts.size(), [&](std::size_t i) {
     before[i] = meshes.coarse.run(ball, impacts[i], fitted.material, fitted.effects);
@@ -45,6 +39,11 @@ ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& secon
   for (std::size_t k = 0; k < shares.size(); ++k)
     shares[k] = second.*scalar_quantities[k].modelled / first.*scalar_quantities[k].modelled - 1.0;
   return shares;
+}
+
+double share_missing_beyond(int halvings) {
+  constexpr double order = 1.5;
+  return 1.0 / (std::exp2(order * halvings) - 1.0);
 }
 
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,

@@ -148,6 +148,15 @@ TEST(MeshErrorsTest, AddToThoseOfTheData) {
             seen.shots.front().restitution.uncertainty);
 }
 
+TEST(MeshErrorsTest, AnErrorOfItsOrderIsToldWhole) {
+  const auto at_edge = [](double edge) { return 3.0 + 0.2 * std::pow(edge, 1.5); };
+  for (const int halvings : {1, 2}) {
+    const double fine = at_edge(std::exp2(-halvings));
+    EXPECT_NEAR(share_missing_beyond(halvings) * (at_edge(1.0) - fine), fine - at_edge(0.0), 1e-12)
+        << halvings;
+  }
+}
+
 TEST(MeshErrorsTest, SharesAreThoseOfTheFirst) {
   ImpactScalars first, second;
   first.restitution = 0.8;
