@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/fits/joint_search.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/inference/calibration/differences.hpp"
 #include "lumped/problem/error.hpp"
@@ -14,16 +14,6 @@ namespace rebound {
 namespace {
 
 constexpr int first_look_iterations = 10, first_look_in_fem = 6;
-
-/// Lumped impacts are good to 1e-7. In FE no more of the cost can be gained than what nodes that
-/// touch one by one make of it.
-CalibrationControls search_controls(const JointModel& model) {
-  return {.relative_step = model.difference_step(),
-          .differences = Differences::one_sided,
-          .runs_are_dear = model.fem() != nullptr,
-          .cost_tolerance = model.fem() ? 3e-4 : 1e-7,
-          .iterations = model.fem() ? 25 : 60};
-}
 
 /// N: samples that are alike count for less than as many that are not.
 double independent_data(const Observations& seen, const JointModel& model) {
@@ -81,39 +71,6 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
       fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
 }
 
-double left_of(const JointModel& model, const std::vector<double>& values) {
-  const std::vector<double> residuals = model.residuals(values);
-  return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
-}
-
-CalibrationResult search_at(CalibrationProblem& problem, const std::vector<double>& start,
-                            const RunControl& control) {
-  for (std::size_t i = 0; i < start.size(); ++i) problem.parameters[i].start = start[i];
-  return calibrate(problem, control);
-}
-
-/// Searches from the numbers that a problem starts with: from settled starts of the records, once
-/// more where the search has left these for others; and from where forces jump, where the model's
-/// do.
-CalibrationResult search_from(const JointModel& model, CalibrationProblem& problem,
-                              const RunControl& control) {
-  constexpr int most_searches = 3;
-  constexpr double worth_a_search = 6.0;  // of χ²
-  std::vector<double> start;
-  for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
-  CalibrationResult best = search_at(problem, model.with_settled_starts(start), control);
-  if (const std::vector<double> at_jumps = model.with_starts_at_jumps(start); at_jumps != start) {
-    CalibrationResult other = search_at(problem, at_jumps, control);
-    if (other.cost_after < best.cost_after) best = std::move(other);
-  }
-  for (int count = 1; !model.fem() && count < most_searches; ++count) {
-    const std::vector<double> settled = model.with_settled_starts(best.values());
-    if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
-    best = search_at(problem, settled, control);
-  }
-  return best;
-}
-
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, SearchEffort effort, const RunControl& control) {
   HypothesisFit fit;
@@ -134,7 +91,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   if (problem.parameters.empty()) {
     fit.residuals = model->residuals({});
   } else {
-    fit.search = search_from(*model, problem, control);
+    fit.search = search_joint_model(*model, problem, control);
     fit.values = fit.search.values();
     fit.residuals = model->residuals(fit.values);
   }

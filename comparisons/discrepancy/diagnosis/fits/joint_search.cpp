@@ -1,0 +1,52 @@
+#include "comparisons/discrepancy/diagnosis/fits/joint_search.hpp"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "comparisons/inference/calibration/differences.hpp"
+
+namespace rebound {
+namespace {
+
+double left_of(const JointModel& model, const std::vector<double>& values) {
+  const std::vector<double> residuals = model.residuals(values);
+  return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+}
+
+CalibrationResult search_at(CalibrationProblem& problem, const std::vector<double>& start,
+                            const RunControl& control) {
+  for (std::size_t i = 0; i < start.size(); ++i) problem.parameters[i].start = start[i];
+  return calibrate(problem, control);
+}
+
+}  // namespace
+
+CalibrationControls search_controls(const JointModel& model) {
+  return {.relative_step = model.difference_step(),
+          .differences = Differences::one_sided,
+          .runs_are_dear = model.fem() != nullptr,
+          .cost_tolerance = model.fem() ? 3e-4 : 1e-7,
+          .iterations = model.fem() ? 25 : 60};
+}
+
+CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem& problem,
+                                     const RunControl& control) {
+  constexpr int most_searches = 3;
+  constexpr double worth_a_search = 6.0;  // of χ²
+  std::vector<double> start;
+  for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
+  CalibrationResult best = search_at(problem, model.with_settled_starts(start), control);
+  if (const std::vector<double> at_jumps = model.with_starts_at_jumps(start); at_jumps != start) {
+    CalibrationResult other = search_at(problem, at_jumps, control);
+    if (other.cost_after < best.cost_after) best = std::move(other);
+  }
+  for (int count = 1; !model.fem() && count < most_searches; ++count) {
+    const std::vector<double> settled = model.with_settled_starts(best.values());
+    if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
+    best = search_at(problem, settled, control);
+  }
+  return best;
+}
+
+}  // namespace rebound
