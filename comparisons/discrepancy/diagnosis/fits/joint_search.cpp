@@ -36,7 +36,7 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
   constexpr double worth_a_search = 6.0;  // of χ²
   std::vector<double> start;
   for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
-  CalibrationResult best = search_at(problem, model.with_settled_starts(start), control);
+  CalibrationResult best = search_at(problem, start, control);
   if (const std::vector<double> at_jumps = model.with_starts_at_jumps(start); at_jumps != start) {
     CalibrationResult other = search_at(problem, at_jumps, control);
     if (other.cost_after < best.cost_after) best = std::move(other);

@@ -10,9 +10,9 @@ namespace rebound {
 /// gained than what nodes that touch one by one make of it.
 CalibrationControls search_controls(const JointModel& model);
 
-/// Searches from the numbers that a problem of the model starts with: from settled starts of the
-/// records, once more where the search has left these for others; and from where forces jump, where
-/// the model's do. The starts of `problem` are those of the last search after it.
+/// Searches from the numbers that a problem of the model starts with, and from where forces jump,
+/// where the model's do; from the better of both once more, twice at most, where records fit better
+/// from other starts. The starts of `problem` are those of the last search after it.
 /// Limit:  a dashpot that is looked for from the law's fit is found -> test
 /// SettledStartsTest.AreTakenAlongBySearches
 /// Errors: as calibrate().
