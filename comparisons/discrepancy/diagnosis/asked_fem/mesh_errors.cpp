@@ -42,8 +42,9 @@ ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& secon
 }
 
 double share_missing_beyond(int halvings) {
-  constexpr double order = 1.5;
-  return 1.0 / (std::exp2(order * halvings) - 1.0);
+  constexpr double order = 1.5, of_one_ball = 0.4;
+  const double of_its_order = 1.0 / (std::exp2(order * halvings) - 1.0);
+  return halvings > 1 ? std::max(of_its_order, of_one_ball) : of_its_order;
 }
 
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,

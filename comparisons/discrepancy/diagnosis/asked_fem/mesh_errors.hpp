@@ -24,15 +24,15 @@ struct TwoMeshes {
   int halvings = 1;  ///< of the edge, from one to the other
 };
 
-/// Of what n halvings of the edge change, what an edge of nothing would change yet:
-/// 1/(2^(3n/2) − 1), 0.55 of one and 0.14 of two. Order 3/2 is that of a contact whose edge moves
-/// over the mesh (`accuracy/numerical_error`).
-/// Limit:  an error of that order is told whole -> test MeshErrorsTest.AnErrorOfItsOrderIsToldWhole
+/// Of what halvings of the edge change, what counts as missing yet: 0.55 of one, 1/(2^(3/2) − 1),
+/// for order 3/2 is that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
+/// Of two 0.4 counts, where that order leaves 0.14: what they change is known for one ball, and a
+/// search moves on to others.
+/// Limit:  an error of that order is told whole, or more -> test
+/// MeshErrorsTest.AnErrorOfItsOrderIsToldWhole
 double share_missing_beyond(int halvings);
 
-/// Two meshes compared at every speed of the data. That what they change is known for one ball, and
-/// that a search moves on to others, is no part of the errors: where the ball that was found does
-/// not follow, meshes are compared for it again.
+/// Two meshes compared at every speed of the data.
 struct MeshErrors {
   std::vector<KnownDifferences> known;  ///< what the finer mesh adds, at these speeds alone
   double of_history = 0.0;              ///< rms over the contact, over the peak; the largest [-]
