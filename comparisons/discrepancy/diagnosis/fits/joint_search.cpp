@@ -37,11 +37,15 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
   std::vector<double> start;
   for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
   CalibrationResult best = search_at(problem, start, control);
+  // A believed law whose damping ends at its bound rises as steeply, and has no other start.
+  if (model.effects_at(start).empty()) return best;
   if (const std::vector<double> at_jumps = model.with_starts_at_jumps(start); at_jumps != start) {
     CalibrationResult other = search_at(problem, at_jumps, control);
     if (other.cost_after < best.cost_after) best = std::move(other);
   }
-  for (int count = 1; !model.fem() && count < most_searches; ++count) {
+  // Where the force rises smoothly slopes tell the start, and a further search gains nothing.
+  const bool jumps = model.with_starts_at_jumps(best.values()) != best.values();
+  for (int count = 1; jumps && count < most_searches; ++count) {
     const std::vector<double> settled = model.with_settled_starts(best.values());
     if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
     best = search_at(problem, settled, control);

@@ -11,8 +11,8 @@ namespace rebound {
 CalibrationControls search_controls(const JointModel& model);
 
 /// Searches from the numbers that a problem of the model starts with, and from where forces jump,
-/// where the model's do; from the better of both once more, twice at most, where records fit better
-/// from other starts. The starts of `problem` are those of the last search after it.
+/// where the model's do; there from the better of both once more, twice at most, where records fit
+/// better from other starts. The starts of `problem` are those of the last search after it.
 /// Limit:  a dashpot that is looked for from the law's fit is found -> test
 /// SettledStartsTest.AreTakenAlongBySearches
 /// Errors: as calibrate().

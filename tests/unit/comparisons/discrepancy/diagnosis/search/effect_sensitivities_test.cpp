@@ -87,8 +87,7 @@ TEST(EffectSensitivitiesTest, ANumberAtItsBoundTakesNothingOutOfWhatIsMissing) {
   };
   constexpr double fitted = 8e4, far_too_much = 8e4 * 100.0;  // bounds: a factor of e³ either way
   EXPECT_LT(left_of_damping(fitted, Identifiability::identified), 1e-6);
-  // Starts of the records, settled beside so wrong a law, take most of it; the damping nothing.
-  EXPECT_GT(left_of_damping(far_too_much, Identifiability::at_bound), 0.01);
+  EXPECT_GT(left_of_damping(far_too_much, Identifiability::at_bound), 0.1);
 }
 
 // Hysteresis takes energy away: data that ask for the opposite give it nothing.
