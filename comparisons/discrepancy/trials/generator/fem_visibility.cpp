@@ -18,14 +18,15 @@ Records recorded_without_noise(const Trial& trial, const NoiseFree& free) {
   return records;
 }
 
-/// What a ball leaves that begins as this one and settles; `known` where it cannot begin.
-double settled(const Trial& trial, const Records& hidden, const FemBall& origin,
-               const FittedSoundBall& begin, double known) try {
-  FittedSoundBall ball(trial, hidden, origin, begin.numbers(), begin.samplings());
-  ball.settle();
-  return std::min(known, ball.left());
+/// What a ball of another law leaves that begins as this one and is fitted; what this one leaves
+/// where that is less, or where the other cannot begin.
+double left_with(const FemBall& law, const Trial& trial, const Records& hidden,
+                 const FittedSoundBall& begin, void (FittedSoundBall::*fit)()) try {
+  FittedSoundBall ball(trial, hidden, law, begin.numbers(), begin.samplings());
+  (ball.*fit)();
+  return std::min(begin.left(), ball.left());
 } catch (const NoRebound&) {
-  return known;
+  return begin.left();
 }
 
 }  // namespace
@@ -38,14 +39,7 @@ double visible_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEff
   fitted.approach();
   if (fitted.left() < too_little_to_show) return fitted.left();
   const FemBall* law = fitted.law_worth_a_look();
-  if (law == nullptr) return fitted.left();
-  try {
-    FittedSoundBall other(trial, hidden, *law, fitted.numbers(), fitted.samplings());
-    other.approach();
-    return std::min(fitted.left(), other.left());
-  } catch (const NoRebound&) {
-    return fitted.left();
-  }
+  return law ? left_with(*law, trial, hidden, fitted, &FittedSoundBall::approach) : fitted.left();
 }
 
 double least_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffect>& effects) {
@@ -56,7 +50,8 @@ double least_chi_square_in_fem(const Trial& trial, const std::vector<HiddenEffec
   fitted.settle();
   double least = fitted.left();
   for (const FemBall& law : fitted.other_laws())
-    if (least > too_little_to_show) least = settled(trial, hidden, law, fitted, least);
+    if (least > too_little_to_show)
+      least = std::min(least, left_with(law, trial, hidden, fitted, &FittedSoundBall::settle));
   return least;
 }
 
