@@ -145,18 +145,12 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.design = measured_design(request.datasets, all);
   d.checks = check_data(all);
   d.contradictions = contradictions_among(d.checks);
-  std::vector<bool> left_out(all.shots.size(), false);
-  if (request.hold_out)
-    if (const auto cluster = choose_held_out(all, request.held_out_speed)) {
-      d.held_out_speed = cluster->speed;
-      for (const std::size_t shot : cluster->shots) left_out[shot] = true;
-    }
-  std::vector<bool> fitted = left_out;
-  fitted.flip();
-  d.seen = std::make_shared<const Observations>(subset(all, fitted));
-  Observations unseen = subset(all, left_out);
-  unseen.compressions.clear();  // the fit has seen them
-  d.unseen = std::make_shared<const Observations>(std::move(unseen));
+  const auto held_out =
+      request.hold_out ? choose_held_out(all, request.held_out_speed) : std::nullopt;
+  if (held_out) d.held_out_speed = held_out->speed;
+  PartedShots parts = part_at(all, held_out);
+  d.seen = std::make_shared<const Observations>(std::move(parts.seen));
+  d.unseen = std::make_shared<const Observations>(std::move(parts.unseen));
   if (!d.held_out_speed && request.hold_out)
     d.warnings.push_back(
         "fewer than three speeds: none could be left out to test the extended model");

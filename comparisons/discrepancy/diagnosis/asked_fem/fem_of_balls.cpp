@@ -8,6 +8,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -36,13 +37,28 @@ FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all, const RunCon
     : d_(d),
       all_(all),
       control_(control),
+      near_(d.fem_alone->balls),
+      fem_(d.fem_alone->fem),
       // Where FE's part is in the model already, its error is among those of the data.
       seen_(d.model_discrepancy ? *d.seen : with_numerical_uncertainty(*d.seen, *d.fem_alone)),
       unseen_(d.model_discrepancy ? *d.unseen
                                   : with_numerical_uncertainty(*d.unseen, *d.fem_alone)) {}
 
+FemOfBalls::FemOfBalls(const Diagnosis& d, const Observations& all,
+                       const std::vector<FittedFem>& balls, const RunControl& control)
+    : d_(d), all_(all), control_(control), near_(balls) {
+  const TwoMeshes& meshes = *d.fem_alone->meshes;
+  const MeshErrors errors =
+      compare_meshes(all, balls, meshes, share_missing_beyond(meshes.halvings));
+  fem_ = std::make_shared<const FemBelief>(meshes.coarse.with(errors.known));
+  const PartedShots shots =
+      part_at(all, d.held_out_speed ? choose_held_out(all, d.held_out_speed) : std::nullopt);
+  seen_ = with_errors_of_mesh(shots.seen, errors.of_history, errors.of_scalars);
+  unseen_ = with_errors_of_mesh(shots.unseen, errors.of_history, errors.of_scalars);
+}
+
 FemOfAllBalls FemOfBalls::fit(const std::vector<EffectChoice>& effects) const {
-  std::vector<FittedFem> near = d_.fem_alone->balls;
+  std::vector<FittedFem> near = near_;
   for (std::size_t ball = 0; ball < near.size(); ++ball)
     near[ball] = with_effects(near[ball], effects_of_ball(effects, ball));
   return fit_near(near);
@@ -68,8 +84,8 @@ FemOfAllBalls FemOfBalls::fit_near(const std::vector<FittedFem>& near) const {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
     FittedFem& own = whole.balls[ball];
-    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *d_.fem_alone->fem,
-                        near[ball].effects, &near[ball], control_);
+    own = fit_fem_model(seen_, shots, d_.selection.baseline.fit, *fem_, near[ball].effects,
+                        &near[ball], control_);
     whole.chi_square += own.chi_square;
     whole.samples += own.samples;
     whole.effect_unknowns += own.effect_unknowns;
@@ -84,7 +100,7 @@ double FemOfBalls::chi_square_with(const std::vector<EffectChoice>& effects,
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
     const FittedFem with = with_effects(near.balls[ball], effects_of_ball(effects, ball));
-    chi_square += chi_square_of(seen_, shots, *d_.fem_alone->fem, with, control_);
+    chi_square += chi_square_of(seen_, shots, *fem_, with, control_);
   }
   return chi_square;
 }
@@ -94,10 +110,9 @@ FirstOrderOfBalls FemOfBalls::first_order(const FemOfAllBalls& at) const {
   for (std::size_t ball = 0; ball < balls.size(); ++ball) {
     const auto shots = shots_for_fem(seen_, all_, ball);
     if (shots.empty()) continue;
-    balls[ball] = {
-        .fitted = at.balls[ball],
-        .around = std::make_unique<FirstOrderInFem>(seen_, shots, d_.selection.baseline.fit,
-                                                    *d_.fem_alone->fem, at.balls[ball])};
+    balls[ball] = {.fitted = at.balls[ball],
+                   .around = std::make_unique<FirstOrderInFem>(
+                       seen_, shots, d_.selection.baseline.fit, *fem_, at.balls[ball])};
   }
   return FirstOrderOfBalls(std::move(balls));
 }
@@ -108,7 +123,7 @@ std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
   double chi_square = 0.0;
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
     if (const auto shots = shots_for_fem(unseen_, all_, ball); !shots.empty())
-      chi_square += chi_square_of(unseen_, shots, *d_.fem_alone->fem, fitted.balls[ball], control_);
+      chi_square += chi_square_of(unseen_, shots, *fem_, fitted.balls[ball], control_);
   return chi_square / samples;
 }
 
@@ -134,10 +149,10 @@ std::vector<ShotGap> FemOfBalls::gaps_of(const Observations& shots_of,
   for (std::size_t ball = 0; ball < balls.size(); ++ball)
     for (const std::size_t shot : shots_for_fem(shots_of, all_, ball)) {
       const std::size_t rows = shots_of.shots[shot].trace.force.size();
-      gaps[shot] = {.rows = static_cast<int>(rows),
-                    .reduced_chi_square =
-                        chi_square_of(shots_of, {shot}, *d_.fem_alone->fem, balls[ball], control_) /
-                        static_cast<double>(rows)};
+      gaps[shot] = {
+          .rows = static_cast<int>(rows),
+          .reduced_chi_square = chi_square_of(shots_of, {shot}, *fem_, balls[ball], control_) /
+                                static_cast<double>(rows)};
     }
   return gaps;
 }

@@ -30,6 +30,13 @@ class FemOfBalls {
  public:
   FemOfBalls(const Diagnosis& d, const Observations& all, const RunControl& control);
 
+  /// The same, begun from `balls` and on a mesh that is compared with the finer one for them: what
+  /// is wrong with it is known for them, and smaller than what a search counts
+  /// (share_missing_beyond).
+  /// Errors: those of FE.
+  FemOfBalls(const Diagnosis& d, const Observations& all, const std::vector<FittedFem>& balls,
+             const RunControl& control);
+
   /// From these numbers of the effects, and from what was fitted without them.
   /// Errors: as fit_fem_model().
   FemOfAllBalls fit(const std::vector<EffectChoice>& effects) const;
@@ -76,6 +83,8 @@ class FemOfBalls {
   const Diagnosis& d_;
   const Observations& all_;
   RunControl control_;
+  std::vector<FittedFem> near_;  ///< what fits begin from
+  std::shared_ptr<const FemBelief> fem_;
   Observations seen_, unseen_;
 };
 

@@ -11,8 +11,7 @@ namespace rebound {
 namespace {
 
 void compare_ball(std::size_t ball, const std::vector<Impact>& impacts, const FittedFem& fitted,
-                  const TwoMeshes& meshes, MeshErrors& errors) {
-  const double missing = share_missing_beyond(meshes.halvings);
+                  const TwoMeshes& meshes, double missing, MeshErrors& errors) {
   std::vector<ModelledImpact> before(impacts.size()), after(impacts.size());
   in_parallel(impacts.size(), [&](std::size_t i) {
     before[i] = meshes.coarse.run(ball, impacts[i], fitted.material, fitted.effects);
@@ -42,16 +41,21 @@ ScalarShares shares_added(const ImpactScalars& first, const ImpactScalars& secon
 }
 
 double share_missing_beyond(int halvings) {
-  constexpr double order = 1.5, of_one_ball = 0.4;
-  const double of_its_order = 1.0 / (std::exp2(order * halvings) - 1.0);
-  return halvings > 1 ? std::max(of_its_order, of_one_ball) : of_its_order;
+  constexpr double order = 1.5;
+  return 1.0 / (std::exp2(order * halvings) - 1.0);
+}
+
+double share_missing_in_a_search(int halvings) {
+  constexpr double of_other_balls = 0.4;
+  return std::max(share_missing_beyond(halvings), of_other_balls);
 }
 
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,
-                          const TwoMeshes& meshes) {
+                          const TwoMeshes& meshes, double missing) {
   MeshErrors errors;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball)
-    if (is_hit(all, ball)) compare_ball(ball, impacts_of(all, ball), balls[ball], meshes, errors);
+    if (is_hit(all, ball))
+      compare_ball(ball, impacts_of(all, ball), balls[ball], meshes, missing, errors);
   return errors;
 }
 

@@ -24,13 +24,15 @@ struct TwoMeshes {
   int halvings = 1;  ///< of the edge, from one to the other
 };
 
-/// Of what halvings of the edge change, what counts as missing yet: 0.55 of one, 1/(2^(3/2) − 1),
-/// for order 3/2 is that of a contact whose edge moves over the mesh (`accuracy/numerical_error`).
-/// Of two 0.4 counts, where that order leaves 0.14: what they change is known for one ball, and a
-/// search moves on to others.
-/// Limit:  an error of that order is told whole, or more -> test
+/// Of what halvings of the edge change, what is missing yet for the ball that both meshes were run
+/// with: 0.55 of one, 0.14 of two, 1/(2^(3n/2) − 1), for order 3/2 is that of a contact whose edge
+/// moves over the mesh (`accuracy/numerical_error`).
+/// Limit:  an error of that order is told whole -> test
 /// MeshErrorsTest.AnErrorOfItsOrderIsToldWhole
 double share_missing_beyond(int halvings);
+
+/// What counts of them in a search, which moves on to other balls: 0.4 at least.
+double share_missing_in_a_search(int halvings);
 
 /// Two meshes compared at every speed of the data.
 struct MeshErrors {
@@ -39,8 +41,9 @@ struct MeshErrors {
   ScalarShares of_scalars{};            ///< the largest
 };
 
+/// `missing`: the share of what the finer mesh changes that counts as an error.
 MeshErrors compare_meshes(const Observations& all, const std::vector<FittedFem>& balls,
-                          const TwoMeshes& meshes);
+                          const TwoMeshes& meshes, double missing);
 
 /// Data whose noise, and whose scalars' uncertainty, holds these errors as well: `of_history` over
 /// the peak of each force history.

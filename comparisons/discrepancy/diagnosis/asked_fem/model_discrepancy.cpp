@@ -120,7 +120,8 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
                        .scalar_uncertainty = settled.errors.of_scalars,
                        .cells = settled.cells,
                        .balls = settled.balls,
-                       .fem = settled.fem};
+                       .fem = settled.fem,
+                       .meshes = settled.meshes};
   Hypothesis hypothesis = fit.hypothesis;
   for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {
     if (!is_hit(all, ball)) continue;

@@ -42,6 +42,7 @@ struct ModelDiscrepancy {
   std::vector<FittedFem> balls;       ///< FE's own idea of each ball, and of the plate under it
   /// Those balls, corrected by the finer mesh at the speeds of the data.
   std::shared_ptr<const FemBelief> fem;
+  std::shared_ptr<const TwoMeshes> meshes;  ///< that were compared
 
   /// Does FE need a plate that moves to follow the data?
   bool plate_moves() const;

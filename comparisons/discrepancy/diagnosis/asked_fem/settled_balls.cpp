@@ -44,14 +44,17 @@ SettledBalls settle_balls(const Observations& all, const Observations& seen,
                           const HypothesisFit& lumped, const FemProblem& problem,
                           const std::vector<EffectChoice>& plates, const RunControl& control) {
   const auto rough = fit_rough_balls(all, seen, lumped, problem, control);
-  const TwoMeshes meshes = two_meshes(problem, all, materials_of(rough), control);
+  const auto meshes =
+      std::make_shared<const TwoMeshes>(two_meshes(problem, all, materials_of(rough), control));
   SettledBalls settled{.balls = rough,
                        .errors = {},
-                       .cells = {meshes.coarse.cells(), meshes.fine.cells()},
+                       .cells = {meshes->coarse.cells(), meshes->fine.cells()},
+                       .meshes = meshes,
                        .fem = nullptr};
   const auto fit_all = [&](const auto& fitted_ball) {
-    settled.errors = compare_meshes(all, settled.balls, meshes);
-    settled.fem = std::make_shared<const FemBelief>(meshes.coarse.with(settled.errors.known));
+    settled.errors =
+        compare_meshes(all, settled.balls, *meshes, share_missing_in_a_search(meshes->halvings));
+    settled.fem = std::make_shared<const FemBelief>(meshes->coarse.with(settled.errors.known));
     const Observations with_errors =
         with_errors_of_mesh(seen, settled.errors.of_history, settled.errors.of_scalars);
     for (std::size_t ball = 0; ball < all.balls.size(); ++ball) {

@@ -13,7 +13,8 @@ namespace rebound {
 struct SettledBalls {
   std::vector<FittedFem> balls;
   MeshErrors errors;
-  std::vector<int> cells;                ///< of the two meshes, of the finest ball
+  std::vector<int> cells;  ///< of the two meshes, of the finest ball
+  std::shared_ptr<const TwoMeshes> meshes;
   std::shared_ptr<const FemBelief> fem;  ///< corrected by the finer mesh at the speeds of the data
 };
 

@@ -146,14 +146,33 @@ void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without) {
   d.excluded.clear();
   show_gap_in_fem(d, best);
   const std::string better = fmt::format(
-      "FE with nothing hidden follows the data, and follows them better with {}: by {:.0f} in χ², "
+      "FE with nothing hidden follows the data{}, and follows them better with {}: by {:.0f} in "
+      "χ², "
       "and at the unseen speed from {:.3g} to {:.3g}",
-      best.effect.name, gain, *best.gap.held_out_before, *best.gap.held_out_after);
+      without.follows() ? "" : " within what its cells may err in a search", best.effect.name, gain,
+      *best.gap.held_out_before, *best.gap.held_out_after);
   if (of_one_family && best.family == EffectFamily::measurement)
     return suspect_measurement(d, d.candidates, better);
   d.verdict = of_one_family ? DiagnosisVerdict::family : DiagnosisVerdict::one_of;
   d.family = of_one_family ? best.family : EffectFamily::none;
   d.withheld = better + "; beside a lumped law that is not seen";
+}
+
+void deny_where_sharper_cells_do(Diagnosis& d, const FemOfAllBalls& without,
+                                 std::optional<double> unseen) {
+  constexpr double plain_gap = 2.0;  // FE leaves 1.2 of nulls at most (README)
+  const double least = std::min(without.reduced_chi_square(), unseen.value_or(0.0));
+  if (d.verdict != DiagnosisVerdict::agrees || least < plain_gap) return;
+  keep_gap_of_the_law(d);
+  d.gap.before = without.reduced_chi_square();
+  d.gap.held_out_before = unseen;
+  d.shots_in_fem = {.effect = {}, .without = without.balls};
+  d.excluded.clear();
+  withhold(d, DiagnosisVerdict::unexplained,
+           fmt::format("FE with nothing hidden follows the data within what its cells may err in a "
+                       "search, and leaves {:.3g} on cells that are corrected for its own ball, "
+                       "{:.3g} at the unseen speed",
+                       without.reduced_chi_square(), *unseen));
 }
 
 void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {

@@ -45,4 +45,12 @@ void conclude_from_fem(Diagnosis& d, const SelectionRules& rules);
 ///         -> test VerdictOfFem.AWeakEffectMustHoldAtTheUnseenSpeed
 void conclude_from_weak_effects(Diagnosis& d, const FemOfAllBalls& without);
 
+/// Where the verdict is still that the data agree: unexplained, if FE with nothing hidden leaves
+/// twice its noise on cells that are corrected for its own balls, at the unseen speed (`unseen`,
+/// over its samples), too.
+/// Limit:  a gap at the fitted speeds alone changes nothing
+///         -> test VerdictOfFem.WhatIsLeftOnSharperCellsIsAGap
+void deny_where_sharper_cells_do(Diagnosis& d, const FemOfAllBalls& without,
+                                 std::optional<double> unseen);
+
 }  // namespace rebound

@@ -60,4 +60,15 @@ std::optional<SpeedCluster> choose_held_out(const Observations& all, std::option
   return clusters[clusters.size() / 2];
 }
 
+PartedShots part_at(const Observations& all, const std::optional<SpeedCluster>& held_out) {
+  std::vector<bool> left_out(all.shots.size(), false);
+  if (held_out)
+    for (const std::size_t shot : held_out->shots) left_out[shot] = true;
+  std::vector<bool> fitted = left_out;
+  fitted.flip();
+  PartedShots parts{.seen = subset(all, fitted), .unseen = subset(all, left_out)};
+  parts.unseen.compressions.clear();  // the fit has seen them
+  return parts;
+}
+
 }  // namespace rebound

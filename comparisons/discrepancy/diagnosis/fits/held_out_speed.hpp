@@ -23,4 +23,13 @@ std::vector<SpeedCluster> speed_clusters(const Observations& all);
 /// Errors: Error(bad_input) where no cluster holds `wanted`.
 std::optional<SpeedCluster> choose_held_out(const Observations& all, std::optional<double> wanted);
 
+/// Shots that are fitted, and those that no fit sees.
+struct PartedShots {
+  Observations seen, unseen;
+};
+
+/// All shots in two parts: those of a cluster of speeds, and all others, which keep the slow
+/// compressions. Without a cluster all of them are fitted.
+PartedShots part_at(const Observations& all, const std::optional<SpeedCluster>& held_out);
+
 }  // namespace rebound

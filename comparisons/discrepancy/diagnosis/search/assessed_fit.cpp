@@ -31,23 +31,37 @@ bool has_little_remaining(const AssessedFit& baseline, const AssessedFit& candid
          std::max(candidate.remaining_threshold, share * share * explained);
 }
 
+/// Is a force without a formula no more than what this share of the residuals is in χ²?
+bool leaves_little_force(const AssessedFit& baseline, const AssessedFit& candidate, double share,
+                         double least_chance) {
+  const double explained = baseline.fit.chi_square - candidate.fit.chi_square;
+  return !candidate.leaves_a_force(least_chance) ||
+         candidate.further_force.excess() <= share * share * explained;
+}
+
 /// A curve through a few points is judged by what it leaves of the residuals of the baseline.
 void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
   constexpr double share = 0.1, most_remaining = 0.3;  // of the residuals
   if (curve.p_value <= rules.smallest_adequate_p ||
       largest_z(curve.map) > std::max(curve.map.threshold, share * largest_z(baseline.map)))
     return;
-  curve.adequate = has_little_remaining(baseline, curve, share);
-  curve.nearly_adequate = has_little_remaining(baseline, curve, most_remaining);
+  const auto leaves_little = [&](double most) {
+    return has_little_remaining(baseline, curve, most) &&
+           leaves_little_force(baseline, curve, most, rules.smallest_adequate_p);
+  };
+  curve.adequate = leaves_little(share);
+  curve.nearly_adequate = leaves_little(most_remaining);
 }
 
 /// A formula that leaves a little is nearly what is missing: of the map a fifth above its
 /// threshold, of the χ² a twelfth of what it explains.
 void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& formula) {
   constexpr double above_threshold = 1.2, most_remaining = 0.3;  // of the residuals
-  formula.nearly_adequate = formula.p_value > rules.smallest_adequate_p &&
-                            largest_z(formula.map) <= above_threshold * formula.map.threshold &&
-                            has_little_remaining(baseline, formula, most_remaining);
+  formula.nearly_adequate =
+      formula.p_value > rules.smallest_adequate_p &&
+      largest_z(formula.map) <= above_threshold * formula.map.threshold &&
+      has_little_remaining(baseline, formula, most_remaining) &&
+      leaves_little_force(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
 }  // namespace
@@ -94,8 +108,10 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
   for (const EffectScore& score : around.scores())
     fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
   fit.judged = true;
+  fit.further_force = test_further_force(seen, fit.fit, around);
   fit.adequate = fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
-                 fit.best_remaining <= fit.remaining_threshold;
+                 fit.best_remaining <= fit.remaining_threshold &&
+                 !fit.leaves_a_force(rules.smallest_adequate_p);
 }
 
 AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,

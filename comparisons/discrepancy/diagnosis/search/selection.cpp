@@ -54,6 +54,7 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
                            std::uint64_t seed) {
   const AssessedFit& baseline = selection.baseline;
   return baseline.p_value > rules.smallest_adequate_p &&
+         !baseline.leaves_a_force(rules.smallest_adequate_p) &&
          residual_map(seen, baseline.fit, around, rules.candidate_level, seed).quiet() &&
          std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
            return gain_over(baseline, one) > rules.close_criterion;

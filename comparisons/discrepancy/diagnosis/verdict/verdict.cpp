@@ -79,6 +79,11 @@ bool best_candidate_is_nearly_adequate(const Diagnosis& d) {
   return !candidates.empty() && d.selection.tried[candidates.front()].nearly_adequate;
 }
 
+bool are_of_three_and_more(const std::vector<std::vector<std::string>>& candidates) {
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [](const auto& names) { return names.size() >= 3; });
+}
+
 void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules, Additions& additions) {
   std::vector<const HypothesisFit*> fits;
   for (const std::size_t i : d.selection.indistinguishable)
@@ -120,6 +125,10 @@ void conclude_from_candidates(Diagnosis& d, const SelectionRules& rules, Additio
     d.verdict = DiagnosisVerdict::measurement_fault;
     for (const auto* fit : fits)
       d.fault += (d.fault.empty() ? "" : " or ") + label_of(fit->effects);
+  } else if (fits.size() > 1 && are_of_three_and_more(d.candidates)) {
+    withhold(d, DiagnosisVerdict::unexplained,
+             "several sets of three effects and more follow the data alike, as they would follow "
+             "anything");
   } else if (fits.size() > 1) {
     d.verdict = DiagnosisVerdict::one_of;
   } else if (d.withheld.empty()) {

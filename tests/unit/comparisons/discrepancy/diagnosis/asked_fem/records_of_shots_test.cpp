@@ -148,7 +148,7 @@ TEST(MeshErrorsTest, AddToThoseOfTheData) {
             seen.shots.front().restitution.uncertainty);
 }
 
-// One halving told whole; of two more than that, for it is known for one ball alone.
+// One halving and two told whole; in a search, which moves on to other balls, more of two.
 TEST(MeshErrorsTest, AnErrorOfItsOrderIsToldWhole) {
   const auto at_edge = [](double edge) { return 3.0 + 0.2 * std::pow(edge, 1.5); };
   const auto told = [&](int halvings) {
@@ -156,8 +156,9 @@ TEST(MeshErrorsTest, AnErrorOfItsOrderIsToldWhole) {
     return share_missing_beyond(halvings) * (at_edge(1.0) - fine) / (fine - at_edge(0.0));
   };
   EXPECT_NEAR(told(1), 1.0, 1e-12);
-  EXPECT_GE(told(2), 1.0);
-  EXPECT_DOUBLE_EQ(share_missing_beyond(2), 0.4);
+  EXPECT_NEAR(told(2), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(share_missing_in_a_search(1), share_missing_beyond(1));
+  EXPECT_DOUBLE_EQ(share_missing_in_a_search(2), 0.4);
 }
 
 TEST(MeshErrorsTest, SharesAreThoseOfTheFirst) {

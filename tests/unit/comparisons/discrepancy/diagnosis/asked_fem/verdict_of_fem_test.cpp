@@ -157,6 +157,26 @@ TEST(VerdictOfFem, AWeakEffectMustHoldAtTheUnseenSpeed) {
   EXPECT_TRUE(denied.candidates.empty());
 }
 
+TEST(VerdictOfFem, WhatIsLeftOnSharperCellsIsAGap) {
+  const auto denied = [](double reduced_chi_square, std::optional<double> unseen) {
+    FemOfAllBalls without;
+    without.samples = 1000;
+    without.chi_square = 1000.0 * reduced_chi_square;
+    Diagnosis d;
+    d.verdict = DiagnosisVerdict::agrees;
+    deny_where_sharper_cells_do(d, without, unseen);
+    return d;
+  };
+  const Diagnosis d = denied(5.0, 2.6);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  EXPECT_EQ(d.gap.before, 5.0);
+  EXPECT_EQ(d.gap.held_out_before, 2.6);
+  EXPECT_FALSE(d.withheld.empty());
+  EXPECT_EQ(denied(5.0, 1.2).verdict, DiagnosisVerdict::agrees);
+  EXPECT_EQ(denied(1.2, 2.6).verdict, DiagnosisVerdict::agrees);
+  EXPECT_EQ(denied(5.0, std::nullopt).verdict, DiagnosisVerdict::agrees);
+}
+
 /// A rival that gains as much and takes the unseen speed farther away is none.
 TEST(VerdictOfFem, AWeakRivalMustNotLoseAtTheUnseenSpeed) {
   const auto beside = [](double unseen_after) {

@@ -1,0 +1,146 @@
+#include "comparisons/discrepancy/diagnosis/search/force_score_test.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
+#include "comparisons/inference/calibration/distributions.hpp"
+#include "comparisons/inference/calibration/whitening.hpp"
+
+namespace rebound {
+namespace {
+
+/// The loop of one shot by the fitted model, at the instants of its record.
+struct Loop {
+  std::vector<double> deflection, force;
+  std::size_t top = 0;        ///< sample of the largest deflection
+  std::size_t first_row = 0;  ///< of its force among the residuals
+
+  bool measured() const { return !deflection.empty(); }
+  double deepest() const { return deflection[top]; }
+};
+
+std::vector<Loop> loops_of(const Observations& seen, const HypothesisFit& fit) {
+  std::vector<Loop> loops(seen.shots.size());
+  const auto& rows = fit.model->rows();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (!seen.shots[i].has_history()) continue;
+    const auto& time = seen.shots[i].trace.time;
+    Loop& loop = loops[i];
+    loop.deflection = fit.model->deflection_at(fit.values, i, time);
+    loop.force = fit.model->force_at(fit.values, i, time);
+    const auto top = std::max_element(loop.deflection.begin(), loop.deflection.end());
+    loop.top = static_cast<std::size_t>(top - loop.deflection.begin());
+    const auto first = std::find_if(rows.begin(), rows.end(), [&](const DataRow& row) {
+      return row.shot == i && row.what == ObservedQuantity::force;
+    });
+    loop.first_row = static_cast<std::size_t>(first - rows.begin());
+  }
+  return loops;
+}
+
+/// One b_j: on one side of the loop, one at the middle and none at its neighbours.
+struct Hat {
+  bool loading = true;
+  double middle = 0.0, width = 0.0;
+
+  double at(const Loop& loop, std::size_t sample) const {
+    const double x = loop.deflection[sample];
+    if (x <= 0.0 || (sample <= loop.top) != loading) return 0.0;
+    return std::max(0.0, 1.0 - std::abs(x - middle) / width);
+  }
+};
+
+/// Hats over both sides of a loop of that depth.
+std::vector<Hat> hats_over(double deepest, int intervals) {
+  std::vector<Hat> hats;
+  const double width = deepest / intervals;
+  for (const bool loading : {true, false})
+    for (int k = 0; k <= intervals; ++k)
+      hats.push_back({.loading = loading, .middle = k * width, .width = width});
+  return hats;
+}
+
+/// Whitened rows of a force that is added in some shots; N a unit force.
+Eigen::VectorXd rows_of(const Observations& seen, const std::vector<Loop>& loops,
+                        const std::vector<std::size_t>& shots, const Hat& hat, Eigen::Index rows) {
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(rows);
+  for (const std::size_t i : shots) {
+    const Loop& loop = loops[i];
+    if (!loop.measured()) continue;
+    // Whitening takes differences to the data, so that what is added is the difference of two.
+    std::vector<double> data = seen.shots[i].trace.force;
+    for (std::size_t k = 0; k < data.size(); ++k) data[k] += hat.at(loop, k);
+    const std::vector<double> added = whitened(seen.shots[i], data);
+    for (std::size_t k = 0; k < added.size(); ++k)
+      column[static_cast<Eigen::Index>(loop.first_row + k)] = added[k];
+  }
+  return column;
+}
+
+/// Columns as they come, with the fit's unknowns projected out; those that it can take are none.
+class Columns {
+ public:
+  explicit Columns(const EffectSensitivities& around) : around_(around) {}
+
+  void add(const Eigen::VectorXd& column) {
+    constexpr double absorbed = 0.05;  // what is left of a unit column
+    if (!(column.norm() > 0.0)) return;
+    const Eigen::VectorXd left = around_.project(column.normalized());
+    if (left.norm() > absorbed) kept_.push_back(left.normalized());
+  }
+
+  ForceScoreTest tested_on(const std::vector<double>& residuals) const {
+    if (kept_.empty()) return {};
+    constexpr double dependent = 1e-2;
+    Eigen::MatrixXd all(kept_.front().size(), std::ssize(kept_));
+    for (Eigen::Index j = 0; j < all.cols(); ++j) all.col(j) = kept_[static_cast<std::size_t>(j)];
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
+    qr.setThreshold(dependent);
+    qr.compute(all);
+    Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(residuals.data(), all.rows());
+    turned.applyOnTheLeft(qr.householderQ().transpose());
+    ForceScoreTest test{.chi_square = turned.head(qr.rank()).squaredNorm(),
+                        .freedom = static_cast<int>(qr.rank())};
+    test.p_value = chi_squared_chance_above(test.freedom, test.chi_square);
+    return test;
+  }
+
+ private:
+  const EffectSensitivities& around_;
+  std::vector<Eigen::VectorXd> kept_;
+};
+
+double deepest_of(const std::vector<Loop>& loops, const std::vector<std::size_t>& shots) {
+  double deepest = 0.0;
+  for (const std::size_t i : shots)
+    if (loops[i].measured()) deepest = std::max(deepest, loops[i].deepest());
+  return deepest;
+}
+
+}  // namespace
+
+ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit& fit,
+                                  const EffectSensitivities& around) {
+  constexpr int intervals_of_all = 16, intervals_of_a_speed = 6;
+  if (fit.hypothesis.fem || fit.hypothesis.model_discrepancy) return {};
+  const std::vector<Loop> loops = loops_of(seen, fit);
+  const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
+  Columns of_all(around), of_speeds(around);
+  std::vector<std::size_t> every(seen.shots.size());
+  std::iota(every.begin(), every.end(), std::size_t{0});
+  for (const Hat& hat : hats_over(deepest_of(loops, every), intervals_of_all))
+    of_all.add(rows_of(seen, loops, every, hat, rows));
+  for (const SpeedCluster& cluster : speed_clusters(seen))
+    for (const Hat& hat : hats_over(deepest_of(loops, cluster.shots), intervals_of_a_speed))
+      of_speeds.add(rows_of(seen, loops, cluster.shots, hat, rows));
+  const ForceScoreTest first = of_all.tested_on(fit.residuals),
+                       second = of_speeds.tested_on(fit.residuals);
+  ForceScoreTest least = first.p_value < second.p_value ? first : second;
+  least.p_value = std::min(1.0, 2.0 * least.p_value);
+  return least;
+}
+
+}  // namespace rebound
