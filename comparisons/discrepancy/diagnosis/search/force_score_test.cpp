@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 /// The loop of one shot by the fitted model, at the instants of its record.
 struct Loop {
-  std::vector<double> deflection, force;
+  std::vector<double> deflection;
   std::size_t top = 0;        ///< sample of the largest deflection
   std::size_t first_row = 0;  ///< of its force among the residuals
 
@@ -27,10 +28,8 @@ std::vector<Loop> loops_of(const Observations& seen, const HypothesisFit& fit) {
   const auto& rows = fit.model->rows();
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (!seen.shots[i].has_history()) continue;
-    const auto& time = seen.shots[i].trace.time;
     Loop& loop = loops[i];
-    loop.deflection = fit.model->deflection_at(fit.values, i, time);
-    loop.force = fit.model->force_at(fit.values, i, time);
+    loop.deflection = fit.model->deflection_at(fit.values, i, seen.shots[i].trace.time);
     const auto top = std::max_element(loop.deflection.begin(), loop.deflection.end());
     loop.top = static_cast<std::size_t>(top - loop.deflection.begin());
     const auto first = std::find_if(rows.begin(), rows.end(), [&](const DataRow& row) {
@@ -63,19 +62,18 @@ std::vector<Hat> hats_over(double deepest, int intervals) {
   return hats;
 }
 
-/// Whitened rows of a force that is added in some shots; N a unit force.
-Eigen::VectorXd rows_of(const Observations& seen, const std::vector<Loop>& loops,
-                        const std::vector<std::size_t>& shots, const Hat& hat, Eigen::Index rows) {
+/// Whitened rows of a unit force that is added in some shots.
+Eigen::VectorXd whitened_rows(const Observations& seen, const std::vector<Loop>& loops,
+                              const std::vector<std::size_t>& shots, const Hat& hat,
+                              Eigen::Index rows) {
   Eigen::VectorXd column = Eigen::VectorXd::Zero(rows);
   for (const std::size_t i : shots) {
     const Loop& loop = loops[i];
     if (!loop.measured()) continue;
-    // Whitening takes differences to the data, so that what is added is the difference of two.
-    std::vector<double> data = seen.shots[i].trace.force;
-    for (std::size_t k = 0; k < data.size(); ++k) data[k] += hat.at(loop, k);
-    const std::vector<double> added = whitened(seen.shots[i], data);
-    for (std::size_t k = 0; k < added.size(); ++k)
-      column[static_cast<Eigen::Index>(loop.first_row + k)] = added[k];
+    const ForceNoise& noise = seen.shots[i].noise;
+    const std::span<double> of_shot(column.data() + loop.first_row, loop.deflection.size());
+    for (std::size_t k = 0; k < of_shot.size(); ++k) of_shot[k] = hat.at(loop, k) / noise.deviation;
+    take_out_correlation(noise, of_shot);
   }
   return column;
 }
@@ -132,10 +130,10 @@ ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit&
   std::vector<std::size_t> every(seen.shots.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   for (const Hat& hat : hats_over(deepest_of(loops, every), intervals_of_all))
-    of_all.add(rows_of(seen, loops, every, hat, rows));
+    of_all.add(whitened_rows(seen, loops, every, hat, rows));
   for (const SpeedCluster& cluster : speed_clusters(seen))
     for (const Hat& hat : hats_over(deepest_of(loops, cluster.shots), intervals_of_a_speed))
-      of_speeds.add(rows_of(seen, loops, cluster.shots, hat, rows));
+      of_speeds.add(whitened_rows(seen, loops, cluster.shots, hat, rows));
   const ForceScoreTest first = of_all.tested_on(fit.residuals),
                        second = of_speeds.tested_on(fit.residuals);
   ForceScoreTest least = first.p_value < second.p_value ? first : second;

@@ -27,9 +27,8 @@ struct ForceScoreTest {
 /// one a speed has 14 over the largest of that speed. Of both tests the less likely outcome counts,
 /// as twice its chance.
 ///
-/// Valid:   force histories of a lumped model; without one nothing is tested. Nor where FE is in
-/// the
-///          model: what cells get wrong is a force over the deflection, too.
+/// Valid:   force histories of a lumped model; without one nothing is tested. Nor is anything where
+///          FE is in the model: what cells get wrong is a force over the deflection, too.
 /// Limit:   of noise the chance is uniform; a force that no law has is seen where χ² is not
 ///          -> tests ForceScoreTest.OfNoiseItsChanceIsUniform,
 ///             ForceScoreTest.SeesWhatChiSquareDoesNot

@@ -14,8 +14,7 @@ namespace rebound {
 namespace {
 
 Dataset without_effects(std::int64_t seed) {
-  const SynthesisFile file = testing::experiment_with({}, seed);
-  return synthesize(file, simulator_of(file, {})).dataset;
+  return testing::measured_data(testing::experiment_with({}, seed));
 }
 
 AssessedFit assessed(const Dataset& dataset) {
