@@ -22,15 +22,16 @@ void check_plate(const Plate& plate) {
 
 /// A power of the deflection must not make the damping infinite at first touch.
 void check_damping_exponent(const DampingFactors& factors, const AnyLaw& law, double radius) {
-  if (factors.exponent >= 0.0) return;
+  const double added = factors.exponent + factors.elastic.exponent;
+  if (added >= 0.0) return;
   const double x = 1e-9 * radius;  // small enough for a power law to show its exponent
   const auto force = [&](double at) {
     return std::visit([at](const auto& l) { return l.damping_force(at, 1.0); }, law);
   };
   if (force(x) == 0.0 && force(radius) == 0.0) return;
   const double exponent = std::log2(force(2.0 * x) / force(x));
-  if (!(exponent + factors.exponent > -1e-9))
-    refuse_value("model.effect.size", factors.exponent,
+  if (!(exponent + added > -1e-9))
+    refuse_value("model.effect.size", added,
                  "at least minus the damping's own exponent, " + number_text(-exponent));
 }
 
@@ -41,6 +42,7 @@ void check_mechanisms(const Mechanisms& mechanisms, const AnyLaw& law, double ra
   require_limits(mechanisms, at);
   require_limits(mechanisms.elastic, {"elastic", -1, &at});
   require_limits(mechanisms.damping, {"damping", -1, &at});
+  require_limits(mechanisms.damping.elastic, {"damping.elastic", -1, &at});
   require_limits(mechanisms.relaxation, {"relaxation", -1, &at});
   for (int k = 0; k < static_cast<int>(mechanisms.further_relaxation.size()); ++k)
     require_limits(mechanisms.further_relaxation[static_cast<std::size_t>(k)],

@@ -10,8 +10,8 @@ namespace rebound {
 
 /// Product of the factors on the elastic force that depend on deflection.
 ///
-///   (x/x_r)^a · (1 + b x/R) · {1 − c [1 − e^(−20 x/R)]} · (1 + d ⟨x/R − ¼⟩²) · (1 + l e^(−10 x/R))
-///   · curve(x/R)
+///   (x/x_r)^a · [1 + b (x/R) (x/x_r)^(p − 1)] · {1 − c [1 − e^(−x/(c_x R))]} · (1 + d ⟨x/R −
+///   d_x⟩²) · (1 + l e^(−x/(l_x R))) · curve(x/R)
 ///
 ///   ratio   x/R, ≥ 0 [-]       x_r = R/10       ⟨·⟩ positive part
 ///
@@ -22,11 +22,18 @@ inline double elastic_factor(const ElasticFactors& factors, double ratio) {
   double product = 1.0;
   if (factors.exponent != 0.0)
     product *= std::pow(ratio / reference_deflection_share, factors.exponent);
-  product *= 1.0 + factors.stiffening * ratio;
-  if (factors.softening != 0.0) product *= 1.0 + factors.softening * std::expm1(-20.0 * ratio);
-  if (factors.densification != 0.0 && ratio > 0.25)
-    product *= 1.0 + factors.densification * (ratio - 0.25) * (ratio - 0.25);
-  if (factors.layer != 0.0) product *= 1.0 + factors.layer * std::exp(-10.0 * ratio);
+  if (factors.stiffening_power == 1.0)
+    product *= 1.0 + factors.stiffening * ratio;
+  else if (factors.stiffening != 0.0)
+    product *=
+        1.0 + factors.stiffening * ratio *
+                  std::pow(ratio / reference_deflection_share, factors.stiffening_power - 1.0);
+  if (factors.softening != 0.0)
+    product *= 1.0 + factors.softening * std::expm1(-ratio / factors.softening_depth);
+  if (const double beyond = ratio - factors.densification_onset;
+      factors.densification != 0.0 && beyond > 0.0)
+    product *= 1.0 + factors.densification * beyond * beyond;
+  if (factors.layer != 0.0) product *= 1.0 + factors.layer * std::exp(-ratio / factors.layer_depth);
   return product * curve_factor(factors.curve, ratio);
 }
 

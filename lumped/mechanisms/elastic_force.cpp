@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "lumped/mechanisms/elastic_factors.hpp"
@@ -19,10 +20,21 @@ double law_force(const AnyLaw& law, double x) {
   return std::visit([x](const auto& l) { return l.elastic_force(x); }, law);
 }
 
-/// ∫ force dx from 0 to `last`, with x = u² for the power law at its start. Pieces end where the
-/// cubics of a curve that reaches to `curve_end` meet; 0: no curve.
+/// Where the factors change their formula, as deflections [m]; infinite and zero: nowhere.
+struct Corners {
+  double onset = 0.0;      ///< of densification; infinite where there is none
+  double curve_end = 0.0;  ///< the cubics of a curve meet up to here; 0: no curve
+};
+
+Corners corners_of(const ElasticFactors& factors, double radius) {
+  const double onset = factors.densification != 0.0 ? factors.densification_onset * radius
+                                                    : std::numeric_limits<double>::infinity();
+  return {.onset = onset, .curve_end = factors.curve.end * radius};
+}
+
+/// ∫ force dx from 0 to `last`, with x = u² for the power law at its start. Pieces end at corners.
 template <class Force>
-double integral_to(double last, double curve_end, const Force& force) {
+double integral_to(double last, const Corners& corners, const Force& force) {
   const auto part = [&](double from, double to) {
     return Gauss::integrate([&](double u) { return 2.0 * u * force(u * u); }, std::sqrt(from),
                             std::sqrt(to));
@@ -32,11 +44,14 @@ double integral_to(double last, double curve_end, const Force& force) {
     const double middle = 0.5 * (from + to);
     return part(from, middle) + part(middle, to);
   };
-  if (curve_end <= 0.0) return part(0.0, last);
+  if (corners.curve_end <= 0.0) {
+    const double onset = std::min(last, corners.onset);
+    return part(0.0, onset) + (onset < last ? part(onset, last) : 0.0);
+  }
   double sum = 0.0, from = 0.0;
   for (std::size_t k = 1; k < FactorCurve::points && from < last; ++k) {
-    const double to = std::min(
-        last, curve_end * static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1));
+    const double to = std::min(last, corners.curve_end * static_cast<double>(k) /
+                                         static_cast<double>(FactorCurve::points - 1));
     sum += piece(from, to);
     from = to;
   }
@@ -102,7 +117,7 @@ double ElasticForce::elastic_force(double x) const {
 double ElasticForce::elastic_energy(double x) const {
   if (!varying_)
     return rate_factor_ * std::visit([x](const auto& l) { return l.elastic_energy(x); }, law_);
-  return integral_to(std::abs(x), factors_.curve.end * radius_,
+  return integral_to(std::abs(x), corners_of(factors_, radius_),
                      [this](double at) { return elastic_force(at); });
 }
 
@@ -128,7 +143,7 @@ double ElasticForce::unloading_integral(double remaining, double largest) const 
     return elastic_force(at) * hysteresis_factor(memory_, at, largest);
   };
   return share * (memory_.curve.end == 0.0
-                      ? integral_to(std::abs(remaining), factors_.curve.end * radius_, force)
+                      ? integral_to(std::abs(remaining), corners_of(factors_, radius_), force)
                       : unloading_integral_to(std::abs(remaining), largest, force));
 }
 

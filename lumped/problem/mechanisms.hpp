@@ -23,21 +23,29 @@ struct FactorCurve {
 
 /// Factors on F_e(x), all multiplied.
 struct ElasticFactors {
-  double exponent = 0.0;       ///< a in (x/x_r)^a [-]
-  double stiffening = 0.0;     ///< b in 1 + b x/R [-]
-  double softening = 0.0;      ///< c in 1 − c [1 − e^(−20 x/R)] [-]
-  double densification = 0.0;  ///< d in 1 + d ⟨x/R − ¼⟩² [-]
-  double layer = 0.0;          ///< l in 1 + l e^(−10 x/R) [-]
-  double rate_exponent = 0.0;  ///< r in (v₀/v_r)^r [-]
-  FactorCurve curve{};         ///< over x/R
+  double exponent = 0.0;              ///< a in (x/x_r)^a [-]
+  double stiffening = 0.0;            ///< b in 1 + b (x/R) (x/x_r)^(p − 1) [-]
+  double stiffening_power = 1.0;      ///< p [-]
+  double softening = 0.0;             ///< c in 1 − c [1 − e^(−x/(c_x R))] [-]
+  double softening_depth = 0.05;      ///< c_x [-]
+  double densification = 0.0;         ///< d in 1 + d ⟨x/R − d_x⟩² [-]
+  double densification_onset = 0.25;  ///< d_x [-]
+  double layer = 0.0;                 ///< l in 1 + l e^(−x/(l_x R)) [-]
+  double layer_depth = 0.1;           ///< l_x [-]
+  double rate_exponent = 0.0;         ///< r in (v₀/v_r)^r [-]
+  FactorCurve curve{};                ///< over x/R
 
   static constexpr auto limits() {
     return std::tuple{
         Limit{&ElasticFactors::exponent, "exponent", "", from_to(-1.0, 2.0)},
         Limit{&ElasticFactors::stiffening, "stiffening", "", from_to(0.0, 100.0)},
+        Limit{&ElasticFactors::stiffening_power, "stiffening_power", "", from_to(0.5, 6.0)},
         Limit{&ElasticFactors::softening, "softening", "", from_to(0.0, 0.95)},
+        Limit{&ElasticFactors::softening_depth, "softening_depth", "", from_to(0.005, 1.0)},
         Limit{&ElasticFactors::densification, "densification", "", from_to(0.0, 1e5)},
+        Limit{&ElasticFactors::densification_onset, "densification_onset", "", from_to(0.02, 1.0)},
         Limit{&ElasticFactors::layer, "layer", "", from_to(-0.9, 50.0)},
+        Limit{&ElasticFactors::layer_depth, "layer_depth", "", from_to(0.005, 1.0)},
         Limit{&ElasticFactors::rate_exponent, "rate_exponent", "", from_to(-1.0, 2.0)}};
   }
   friend bool operator==(const ElasticFactors&, const ElasticFactors&) = default;
@@ -49,8 +57,8 @@ struct DampingFactors {
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
   FactorCurve added{};             ///< coefficient of a damper without a formula, over √(x/R)
-  FactorCurve elastic_curve{};  ///< over x/R, as far as damping follows that of the elastic force
-  FactorCurve rate_curve{};     ///< over |ẋ| [m/s]
+  ElasticFactors elastic{};        ///< on F_d, as far as it follows those on F_e
+  FactorCurve rate_curve{};        ///< over |ẋ| [m/s]
 
   static constexpr auto limits() {
     return std::tuple{

@@ -141,6 +141,18 @@ TEST_F(BesideFem, AWeakSofteningIsSeenBesideFesOwnBall) {
   EXPECT_EQ(found["in_fem"][0]["name"], "hysteresis");
   EXPECT_NEAR(found["in_fem"][0]["size"].get<double>(), 0.2, 0.08);
   EXPECT_LT(found["gap"]["held_out_after"], found["gap"]["held_out_before"]);
+  // Shot by shot it is the same gap, on the same cells.
+  double samples = 0.0, before = 0.0, after = 0.0;
+  for (const auto& shot : found["gap_of_shots_in_fem"]) {
+    if (!shot["fitted"].get<bool>()) continue;
+    const double own = shot["samples"].get<double>();
+    samples += own;
+    before += own * shot["before"].get<double>();
+    after += own * shot["after"].get<double>();
+  }
+  ASSERT_GT(samples, 0.0);
+  EXPECT_NEAR(before / samples / found["gap"]["before"].get<double>(), 1.0, 0.02);
+  EXPECT_NEAR(after / samples / found["gap"]["after"].get<double>(), 1.0, 0.02);
 }
 
 /// A pull that reaches ahead of the surface: it outlasts the push, which no lumped pull does.

@@ -83,7 +83,7 @@ def printed_keys(value, found, path=""):
 
 # Keys that need data which take minutes to diagnose, or a run of all verifications.
 RARE = {
-    "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above", ".in_fem", ".fem_with_nothing_hidden", ".law_alone", ".fem_balls"),
+    "diagnose": (".curve", ".curves", ".nearest_formulas", ".contradictions", ".next_experiments", ".excluded_above", ".in_fem", ".fem_with_nothing_hidden", ".law_alone", ".fem_balls", ".gap_of_shots_in_fem"),
     "inspect": (".contradictions",),
     "verify": (".seeded_faults",),
     "trials": (".in_fem.", ".fem_believed"),

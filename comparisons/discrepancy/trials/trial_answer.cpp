@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/trials/trial_answer.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "comparisons/models/effects/effect.hpp"
 
@@ -18,22 +19,35 @@ std::string family_said(const TrialAnswer& answer) {
   return answer.verdict == "measurement-fault" ? "measurement" : answer.family;
 }
 
-bool in_a_candidate(const TrialAnswer& answer, const std::string& name) {
+namespace {
+
+bool any_in_candidates(const TrialAnswer& answer,
+                       const std::function<bool(const std::string&)>& is_it) {
   return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::any_of(names.begin(), names.end(), is_it);
   });
 }
 
+}  // namespace
+
+bool in_a_candidate(const TrialAnswer& answer, const std::string& name) {
+  return any_in_candidates(
+      answer, [&](const std::string& one) { return one == name || effect_behind(one) == name; });
+}
+
 bool family_in_a_candidate(const TrialAnswer& answer, const std::string& family) {
-  return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return name_of(find_effect(name).card.family) == family;
-    });
+  return any_in_candidates(answer, [&](const std::string& name) {
+    return name_of(find_effect(name).card.family) == family;
   });
 }
 
 bool name_is_said(const TrialAnswer& answer, const std::string& name) {
   return answer.named == name || in_a_candidate(answer, name);
+}
+
+bool formula_is_said(const TrialAnswer& answer, const std::string& name) {
+  return answer.named == name ||
+         any_in_candidates(answer, [&](const std::string& one) { return one == name; });
 }
 
 TrialAnswer answer_of_set(const std::vector<std::string>& names, const std::string& family) {

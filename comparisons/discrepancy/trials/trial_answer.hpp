@@ -26,12 +26,15 @@ bool says_gap(const TrialAnswer& answer);
 /// The family it stands for; empty where it leaves it open.
 std::string family_said(const TrialAnswer& answer);
 
-/// Is an effect of this name, or one of this family, in one of the candidates?
+/// Is an effect of this name, by its formula or by the free form of that effect, or one of this
+/// family, in one of the candidates?
 bool in_a_candidate(const TrialAnswer& answer, const std::string& name);
 bool family_in_a_candidate(const TrialAnswer& answer, const std::string& family);
 
 /// Is it the one effect that is named, or does it stand in a candidate?
 bool name_is_said(const TrialAnswer& answer, const std::string& name);
+/// The same, by the formula of that name alone.
+bool formula_is_said(const TrialAnswer& answer, const std::string& name);
 
 /// The answer that one set of effects gives: "agrees" for an empty set, "measurement-fault" for
 /// faults of the measurement alone, "family" for a free form alone, else "missing".

@@ -23,7 +23,7 @@ struct TrialGate {
 /// The shares behind the gates.
 struct TrialCounts {
   Share false_alarm, false_alarm_misstated, detected, family_right, family_right_where_said,
-      wrong_family, abstained, name_right, name_or_nearest, wrong_name;
+      wrong_family, abstained, name_right, formula_right, name_or_nearest, wrong_name;
   Share separable_family_right, separable_name_right;
   Share single_name_right;  ///< of those that say one
   Share out_of_family_said, visibly_out_of_family_said, out_of_family_named, unseen_better,

@@ -58,6 +58,7 @@ void count_single(const TrialEffect& truth, const TrialAnswer& said, TrialCounts
   if (!truth.registry_name.empty()) {  // else there is no right one
     const bool right = name_is_said(said, truth.registry_name);
     counts.name_right.add(right);
+    counts.formula_right.add(formula_is_said(said, truth.registry_name));
     counts.name_or_nearest.add(right || std::find(said.nearest.begin(), said.nearest.end(),
                                                   truth.registry_name) != said.nearest.end());
   }

@@ -7,7 +7,7 @@
 namespace rebound {
 namespace {
 
-constexpr double next_to_null = 0.01;      // of the prior scale
+constexpr double next_to_null = 0.01;      // of where a logarithmic size starts
 constexpr double parameter_reach = 100.0;  // a factor either way of where a parameter starts
 
 CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
@@ -25,8 +25,9 @@ CalibrationParameter size_of(const EffectCard& card, double start, bool of_fem) 
   if (has_logarithmic_size(card)) return logarithm_of_size(card, start);
   // A plate or a branch next to nothing is stiff and cannot be told from
   // nothing: searches keep off a one-sided null.
-  const double least =
-      card.null <= range.lowest ? card.null + next_to_null * card.prior_scale : range.lowest;
+  const double least = card.null <= range.lowest
+                           ? card.null + share_next_to_null(card) * card.prior_scale
+                           : range.lowest;
   return {.name = card.name,
           .unit = "SI",
           .start = std::max(start, least),

@@ -71,11 +71,13 @@ struct EffectParameterCard {
   bool in_fem = true;
   /// False: a number of the FE form alone, by the same rules.
   bool in_lumped = true;
-  /// At its default the model chooses it; then no fit looks for it.
+  /// At its default no fit looks for it: the model chooses it, or the formula has it so.
   bool is_left_open = false;
   ParameterKind kind = ParameterKind::logarithmic;
-  double scale = 1.0;           ///< of a linear one, SI: sets steps of fits
-  std::vector<double> tried{};  ///< where a diagnosis looks; empty: decades about the default
+  double scale = 1.0;  ///< of a linear one, SI: sets steps of fits
+  /// Where a diagnosis looks; empty: decades about the default. Of a number that no fit looks for:
+  /// the choices that there are.
+  std::vector<double> tried{};
   TriedIn tried_in = TriedIn::si;
   /// No fit goes further: beyond it this is no such effect, whatever a file may say.
   double most_fitted = std::numeric_limits<double>::infinity();
@@ -118,6 +120,9 @@ struct EffectChoice {
 
 /// Is it an unknown of a fit that starts from this choice, of the lumped model or of the FE model?
 bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice);
+
+/// Its form in FE: numbers of the lumped form alone at their defaults.
+EffectChoice form_in_fem(EffectChoice choice);
 
 /// Effects as one of several balls has them.
 std::vector<EffectChoice> effects_of_ball(std::vector<EffectChoice> effects, std::size_t ball);
@@ -176,6 +181,9 @@ struct EffectCard {
   std::string source;
   /// Stands for its family where no formula of the list does: never a candidate by its name.
   bool is_free_form = false;
+  /// The one effect of the list that a free form is the free form of, where its family has no other
+  /// that it could be: to say the free form is to say that effect, by another law.
+  std::string free_form_of{};
   /// A free form of so many numbers that it is tried only where no single effect is adequate.
   bool after_single_effects = false;
   std::vector<CurveCard> curves{};  ///< of a free form
@@ -212,6 +220,13 @@ std::string size_unit(const EffectCard& card);
 
 /// The list of effects.inc, in the order of effects that a report shows.
 const std::vector<Effect>& all_effects();
+
+/// Where searches begin beside a one-sided null, as a share of the prior scale: nearer where a
+/// number of the effect's shape decides what its size is the size of.
+double share_next_to_null(const EffectCard& card);
+
+/// The effect that a free form is another law of; any other name as it is.
+std::string effect_behind(const std::string& name);
 
 /// Is the unknown of a fit the logarithm of the size? So for a mass on a spring: plates are stiff
 /// by orders of magnitude, and where only a frequency is known, compliance times mass is.

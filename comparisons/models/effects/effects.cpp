@@ -111,6 +111,25 @@ bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectC
   return given != choice.parameters.end() && given->second != parameter.default_value;
 }
 
+double share_next_to_null(const EffectCard& card) {
+  constexpr double usual = 0.01, of_a_shape = 1e-4;
+  const bool has_shape =
+      std::any_of(card.parameters.begin(), card.parameters.end(),
+                  [](const EffectParameterCard& one) { return one.is_left_open && one.in_lumped; });
+  return has_shape ? of_a_shape : usual;
+}
+
+std::string effect_behind(const std::string& name) {
+  const std::string& effect = find_effect(name).card.free_form_of;
+  return effect.empty() ? name : effect;
+}
+
+EffectChoice form_in_fem(EffectChoice choice) {
+  for (const EffectParameterCard& one : find_effect(choice.name).card.parameters)
+    if (!one.in_fem) choice.parameters.erase(one.name);
+  return choice;
+}
+
 bool has_logarithmic_size(const EffectCard& card) {
   return card.oscillator ||
          (!card.contains.empty() && has_logarithmic_size(find_effect(card.contains).card));

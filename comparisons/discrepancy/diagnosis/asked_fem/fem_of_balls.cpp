@@ -157,13 +157,15 @@ std::vector<ShotGap> FemOfBalls::gaps_of(const Observations& shots_of,
   return gaps;
 }
 
-void measure_shots_in_fem(Diagnosis& d, const Observations& all, const RunControl& control) try {
-  const FemOfBalls balls(d, all, control);
-  ShotsInFem& shots = *d.shots_in_fem;
+void measure_shots(const FemOfBalls& balls, ShotsInFem& shots) {
   shots.before = balls.gaps_of_seen(shots.without);
   shots.after = balls.gaps_of_seen(shots.with);
   shots.unseen_before = balls.gaps_of_unseen(shots.without);
   shots.unseen_after = balls.gaps_of_unseen(shots.with);
+}
+
+void measure_shots_in_fem(Diagnosis& d, const Observations& all, const RunControl& control) try {
+  if (d.shots_in_fem->before.empty()) measure_shots(FemOfBalls(d, all, control), *d.shots_in_fem);
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
   d.shots_in_fem.reset();

@@ -62,7 +62,7 @@ bool fem_can_state(const EffectChoice& effect) try {
   if (!find_effect(effect.name).to_fem) return false;
   FemProblem any;
   any.material = {.youngs_modulus = 1e7, .poisson_ratio = 0.3};
-  apply_effects({effect}, any);
+  apply_effects({form_in_fem(effect)}, any);
   return true;
 } catch (const Error& error) {
   if (error.code() != ExitCode::bad_input) throw;
@@ -77,7 +77,7 @@ void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRule
     if (!find_effect(named.effect.name).to_lumped || is_measurement(named.effect.name)) continue;
     if (fem_can_state(named.effect)) {
       asked.push_back(&named);
-      choices.push_back(named.effect);
+      choices.push_back(form_in_fem(named.effect));
     } else {
       named.fem = "no-form";
     }

@@ -32,9 +32,9 @@ std::vector<EffectChoice> starts_of(const EffectCard& card, double contact_time)
   constexpr double half = 0.5;
   EffectChoice start{.name = card.name, .size = card.prior_scale, .parameters = {}};
   for (const EffectParameterCard& one : card.parameters)
-    start.parameters[one.name] = one.name == card.fades_in ? half * contact_time
-                                 : one.is_left_open        ? one.tried.front()
-                                                           : one.default_value;
+    start.parameters[one.name] = one.name == card.fades_in        ? half * contact_time
+                                 : one.is_left_open && one.in_fem ? one.tried.front()
+                                                                  : one.default_value;
   std::vector<EffectChoice> starts{start};
   for (const double larger : {10.0, 100.0}) {
     start.size = larger * card.prior_scale;

@@ -47,13 +47,16 @@ double numbers_of(const HypothesisFit& fit, std::size_t k) {
   return std::max(1.0, numbers);
 }
 
-/// Frequencies of effect k that a search picked from a grid.
-int picked_frequencies(const EffectCard& card) {
+/// Numbers of an effect that a search picked from a grid: frequencies, and those of its shape that
+/// the formula has at their defaults.
+int picked_numbers(const EffectChoice& effect, bool of_fem) {
+  const EffectCard& card = find_effect(effect.name).card;
   if (card.oscillator_pair) return 2;
   if (card.oscillator) return 1;
   return static_cast<int>(
-      std::count_if(card.parameters.begin(), card.parameters.end(), [](const auto& one) {
-        return one.fitted && one.dimension == dimension::frequency && one.tried.size() > 1;
+      std::count_if(card.parameters.begin(), card.parameters.end(), [&](const auto& one) {
+        const bool is_picked = one.dimension == dimension::frequency || one.is_left_open;
+        return is_picked && one.tried.size() > 1 && is_unknown(one, of_fem, effect);
       }));
 }
 
@@ -64,7 +67,7 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
   int picked = 0;
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
     fit.effect_unknowns += numbers_of(fit, k);
-    picked += picked_frequencies(find_effect(fit.effects[k].name).card);
+    picked += picked_numbers(fit.effects[k], fit.model->fem() != nullptr);
   }
   fit.information_criterion = fit.chi_square + fit.effect_unknowns * each;
   fit.prediction_criterion =
@@ -166,7 +169,7 @@ HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
     one.effects.push_back(start);
     try {
       HypothesisFit fit = fit_from(seen, one, &near, effort, control);
-      if (!best || fit.chi_square < best->chi_square) best = std::move(fit);
+      if (!best || fit.information_criterion < best->information_criterion) best = std::move(fit);
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
       failure = error;

@@ -79,6 +79,13 @@ Json in_fem_json(const EffectInFem& one) {
           {"held_out_after", number_or_null(one.gap.held_out_after)}};
 }
 
+/// Candidates, each free form of one effect as that effect.
+Json candidates_by_effect(const Diagnosis& d) {
+  return list_of(d.candidates, [](const std::vector<std::string>& names) {
+    return list_of(names, [](const std::string& name) { return Json(effect_behind(name)); });
+  });
+}
+
 Json nothing_hidden_json(const Diagnosis& d) {
   if (!d.fem_with_nothing_hidden) return nullptr;
   return {{"gap", number_or_null(d.fem_with_nothing_hidden->before)},
@@ -119,6 +126,29 @@ Json gap_of_shots_json(const Diagnosis& d) {
   };
   if (d.gap.before) add(*d.seen, gaps_of_shots(d.believed.fit), true);
   if (d.unseen_before) add(*d.unseen, d.unseen_before->of_shots, false);
+  return shots;
+}
+
+/// What FE leaves of the shots that it looks at, where a verdict rests on it; else null.
+Json gap_of_shots_in_fem_json(const Diagnosis& d) {
+  if (!d.shots_in_fem) return nullptr;
+  Json shots = Json::array();
+  const auto add = [&](const Observations& of, const std::vector<ShotGap>& before,
+                       const std::vector<ShotGap>& after, bool fitted) {
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].rows > 0)
+        shots.push_back(
+            {{"shot", of.shots[i].number},
+             {"label", of.shots[i].label},
+             {"speed_m_s", of.shots[i].impact.speed},
+             {"fitted", fitted},
+             {"samples", before[i].rows},
+             {"before", before[i].reduced_chi_square},
+             {"after", after.empty() ? Json(nullptr) : Json(after[i].reduced_chi_square)}});
+  };
+  const ShotsInFem& fem = *d.shots_in_fem;
+  add(*d.seen, fem.before, fem.after, true);
+  add(*d.unseen, fem.unseen_before, fem.unseen_after, false);
   return shots;
 }
 
@@ -210,6 +240,7 @@ Json to_json(const Diagnosis& d) {
       {"checks", list_of(d.checks, check_json)},
       {"effects", list_of(d.effects, [&](const NamedEffect& one) { return effect_json(one, d); })},
       {"candidates", d.candidates},
+      {"candidates_by_effect", candidates_by_effect(d)},
       {"bootstrap", bootstrap_json(d.bootstrap)},
       {"tried", tried_json(d.selection.tried)},
       {"excluded_above", list_of(d.excluded, excluded_json)},
@@ -225,6 +256,7 @@ Json to_json(const Diagnosis& d) {
         {"held_out_after", number_or_null(d.gap.held_out_after)},
         {"held_out_noise", d.gap.held_out_noise}}},
       {"gap_of_shots", gap_of_shots_json(d)},
+      {"gap_of_shots_in_fem", gap_of_shots_in_fem_json(d)},
       {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
       {"noise_from", d.seen ? d.seen->noise_from : ""},
       {"extended_model", nullptr},

@@ -90,6 +90,16 @@ std::string family_in_words(const Diagnosis& d) {
   return fmt::format("of the families '{}'", fmt::join(families, "' and '"));
 }
 
+/// Where the best candidate holds the free form of one effect: which that is.
+std::string other_laws_in_words(const Diagnosis& d) {
+  std::string text;
+  for (const std::string& name :
+       d.candidates.empty() ? std::vector<std::string>{} : d.candidates.front())
+    if (const std::string effect = effect_behind(name); effect != name)
+      text += fmt::format(", {} by another law than that of the list", effect);
+  return text;
+}
+
 std::string headline(const Diagnosis& d) {
   const auto sized = [&] {
     std::string text;
@@ -130,7 +140,8 @@ std::string headline(const Diagnosis& d) {
                                : "Missing from the model: " + sized() +
                                      "; what is left then, these data cannot put to a test.";
     case DiagnosisVerdict::family:
-      return fmt::format("Something {} is missing; no name: {}.", family_in_words(d), d.withheld);
+      return fmt::format("Something {} is missing{}; no name: {}.", family_in_words(d),
+                         other_laws_in_words(d), d.withheld);
     case DiagnosisVerdict::one_of: {
       std::string sets;
       for (const auto& names : d.candidates) {

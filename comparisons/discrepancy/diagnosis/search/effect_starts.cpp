@@ -2,10 +2,35 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
 
 namespace rebound {
+namespace {
+
+/// Fits differ in it by more than by where they start: numbers that no fit looks for, and those
+/// that one looks for in some searches only.
+bool makes_variants(const EffectParameterCard& one) {
+  return one.kind != ParameterKind::shot && one.in_lumped && !one.tried.empty() &&
+         (!one.fitted || one.is_left_open);
+}
+
+bool has_variants(const EffectCard& card) {
+  return std::any_of(card.parameters.begin(), card.parameters.end(), makes_variants);
+}
+
+std::vector<double> variant_of(const EffectCard& card, const EffectChoice& effect) {
+  std::vector<double> variant;
+  for (const EffectParameterCard& one : card.parameters) {
+    if (!makes_variants(one)) continue;
+    const double value = effect.parameters.at(one.name);
+    variant.push_back(!one.fitted || value == one.default_value ? value : one.range.highest);
+  }
+  return variant;
+}
+
+}  // namespace
 
 /// What swings, at the frequencies that gain most.
 std::vector<EffectChoice> EffectSensitivities::stronger_where_it_shows(
@@ -105,10 +130,16 @@ std::vector<double> EffectSensitivities::frequencies_that_show(const std::string
 
 std::vector<EffectChoice> EffectSensitivities::starts(const std::string& name,
                                                       std::size_t count) const {
-  const auto& oscillator = find_effect(name).card.oscillator;
+  const EffectCard& card = find_effect(name).card;
+  const auto& oscillator = card.oscillator;
   std::vector<EffectChoice> best;
+  std::set<std::vector<double>> variants;
   for (const EffectProbe& probe : probes_) {
     if (probe.effect.name != name) continue;
+    if (has_variants(card)) {
+      if (variants.insert(variant_of(card, probe.effect)).second) best.push_back(probe.effect);
+      continue;
+    }
     if (!oscillator) {
       if (best.size() < count) best.push_back(probe.effect);
       continue;

@@ -13,8 +13,6 @@
 namespace rebound {
 namespace {
 
-constexpr double next_to_null = 0.011;  // of the scale of a search, which keeps a hundredth off
-
 NumberWithInterval with_interval(const HypothesisFit& fit, std::size_t unknown,
                                  const std::string& name, bool logarithmic) {
   const Estimate& e = fit.search.estimates[unknown];
@@ -32,7 +30,9 @@ bool is_secondary(const EffectCard& card, const std::string& unknown) {
 }
 
 bool leaves_out_null(const EffectCard& card, const NumberWithInterval& size) {
-  const double slack = next_to_null * (has_logarithmic_size(card) ? size.value : card.prior_scale);
+  constexpr double a_little_more = 1.1;  // than searches keep off
+  const double slack = a_little_more * share_next_to_null(card) *
+                       (has_logarithmic_size(card) ? size.value : card.prior_scale);
   return !std::isfinite(card.null) || size.low - slack > card.null || size.high + slack < card.null;
 }
 

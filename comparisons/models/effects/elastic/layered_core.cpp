@@ -1,4 +1,4 @@
-#include "comparisons/models/effects/effect.hpp"
+#include "comparisons/models/effects/elastic/elastic_numbers.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -22,10 +22,15 @@ Effect layered_core_effect() {
                .family = EffectFamily::elastic,
                .sentence = "A shell or winding stiffer than the inside, felt while the contact is "
                            "shallow.",
-               .equation = "F_e (1 + s exp(-10 x/R))",
+               .equation = "F_e (1 + s exp(-x/(d R))), d depth; F_d follows by damping_share",
                .size_dimension = dimension::none,
                .range = limit_of<&ElasticFactors::layer>.range,
                .prior_scale = 0.5,
+               .parameters = {damping_share_number(),
+                              shape_number("depth_over_radius",
+                                           "Deflection over which the layer is felt, over R.",
+                                           limit_of<&ElasticFactors::layer_depth>.range, 0.1,
+                                           {0.03, 0.25})},
                .signature = "Force rises early and then less steeply: two slopes of F over x; kink "
                             "soon after first touch.",
                .experiment = "Curvature of F(x) at small x, and repeats at other orientations: a "
@@ -34,7 +39,9 @@ Effect layered_core_effect() {
                .moves = ImpactChange{.peak_force = 1, .contact_time = -1}},
       .to_lumped =
           [](const EffectChoice& choice, LumpedProblem& problem) {
-            problem.model.mechanisms.elastic.layer = choice.size;
+            set_factor(choice, &ElasticFactors::layer, problem);
+            set_shape(choice.parameters.at("depth_over_radius"), &ElasticFactors::layer_depth,
+                      problem);
           },
       .to_fem =
           [](const EffectChoice& choice, FemProblem& problem) {

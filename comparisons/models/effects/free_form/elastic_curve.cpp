@@ -48,7 +48,7 @@ Effect elastic_curve_effect() {
                 curve.value.back() = choice.size;
                 add_curve(curve, problem.model.mechanisms.elastic.curve);
                 for (double& value : curve.value) value *= choice.parameters.at("damping_share");
-                problem.model.mechanisms.damping.elastic_curve = curve;
+                problem.model.mechanisms.damping.elastic.curve = curve;
               },
           // The effective strain takes the place of x/R.
           .to_fem =

@@ -70,6 +70,7 @@ Effect plate_on_frame_effect() {
                .experiment = "Strike the bare plate and the bare frame with a hammer.",
                .source = "two degrees of freedom in series, e.g. Meirovitch 2001",
                .is_free_form = true,
+               .free_form_of = "plate-compliance",
                .contains = "plate-compliance"},
       .to_lumped = [](const EffectChoice& choice, LumpedProblem& problem) {
         Plate& plate = problem.model.mechanisms.plate;

@@ -96,6 +96,7 @@ Effect pull_curves_effect() {
       .source =
           "curves as of Johnson, Kendall & Roberts 1971 and Maugis 1992, without their formula",
       .is_free_form = true,
+      .free_form_of = "adhesion",
       .curves = curves()};
   for (int k = 1; k < 5; ++k)
     card.parameters.push_back(

@@ -69,6 +69,7 @@ Effect relaxation_spectrum_effect() {
                    .experiment = "Hold and relax: the spectrum is the decay of the force.",
                    .source = "generalised Maxwell model as a free spectrum, e.g. Tschoegl 1989",
                    .is_free_form = true,
+                   .free_form_of = "relaxation",
                    .moves = ImpactChange{.peak_force = 1, .contact_time = -1, .restitution = -1}},
           .to_lumped =
               [](const EffectChoice& choice, LumpedProblem& problem) {

@@ -22,7 +22,7 @@ AnyLaw law_named(const std::string& name) {
 }
 
 std::vector<Mechanisms> every_factor() {
-  std::vector<Mechanisms> list(8);
+  std::vector<Mechanisms> list(12);
   list[0].elastic.exponent = 0.13;
   list[1].elastic.exponent = -0.3;
   list[2].elastic.stiffening = 1.3;
@@ -32,6 +32,10 @@ std::vector<Mechanisms> every_factor() {
   list[6].memory.hysteresis = 0.3;
   list[7] = {.elastic = {.exponent = 0.2, .stiffening = 0.5, .layer = 0.3},
              .memory = {.hysteresis = 0.2, .permanent_set = 0.1}};
+  list[8].elastic = {.stiffening = 1.3, .stiffening_power = 2.5};
+  list[9].elastic = {.softening = 0.4, .softening_depth = 0.02};
+  list[10].elastic = {.densification = 7.0, .densification_onset = 0.08};
+  list[11].elastic = {.layer = 0.7, .layer_depth = 0.03};
   return list;
 }
 

@@ -166,6 +166,21 @@ TEST(DampingFactorTest, ExponentsTurnHuntCrossleyIntoKelvinVoigt) {
   expect_same_impact(hunt_crossley, linear, 1e-5);
 }
 
+// Where the damping follows a power of the elastic force, it stays Hunt and Crossley's.
+TEST(DampingFactorTest, WhatFollowsTheElasticForceStaysHuntCrossley) {
+  const double x_r = 0.1 * 0.0331;
+  LumpedProblem followed = test::typical_problem("hunt-crossley");
+  followed.model.parameters["exponent"] = 1.5;
+  followed.model.mechanisms.elastic.exponent = -0.3;
+  followed.model.mechanisms.damping.elastic.exponent = -0.3;
+  LumpedProblem softer = test::typical_problem("hunt-crossley");
+  const auto& values = followed.model.parameters;
+  softer.model.parameters = {{"exponent", 1.2},
+                             {"stiffness", values.at("stiffness") * std::pow(x_r, 0.3)},
+                             {"damping", values.at("damping") * std::pow(x_r, 0.3)}};
+  expect_same_impact(followed, softer, 1e-5);
+}
+
 // At a contact radius of R/5 and ν = 0.4 the force at a given centre-of-mass
 // deflection is 20 % above Hertz, at 2R/5 46 %, where the first order gives 50 %.
 TEST(FiniteSphereTest, ForceAboveHertz) {

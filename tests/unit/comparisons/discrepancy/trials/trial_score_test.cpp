@@ -104,6 +104,21 @@ TEST(TrialScoreTest, AFormWithoutANearestNameHasNoRightOne) {
   EXPECT_EQ(gate(scores, "family right").share.of, 1);
 }
 
+// Curves of a pull are adhesion by another law; a curve over the deflection is no one effect.
+TEST(TrialScoreTest, TheFreeFormOfOneEffectSaysThatEffect) {
+  std::vector<TrialTruth> truths{hidden(1, "surface", "adhesion"),
+                                 hidden(2, "elastic", "strain-stiffening"),
+                                 hidden(3, "surface", "adhesion")};
+  std::vector<TrialOutcome> outcomes{said(1, "family", "surface"), said(2, "family", "elastic"),
+                                     said(3, "missing", "surface", "adhesion")};
+  outcomes[0].said.candidates = {{"pull-curves", "clipping"}};
+  outcomes[1].said.candidates = {{"elastic-curve"}};
+  const TrialScores scores = score_trials(trials_of(outcomes, truths));
+  EXPECT_EQ(gate(scores, "name right or in the set").share.count, 2);
+  EXPECT_EQ(gate(scores, "the same, by a formula and no free form").share.count, 1);
+  EXPECT_EQ(gate(scores, "confidently wrong name").share.count, 0);
+}
+
 TEST(TrialScoreTest, WhatCouldBeToldApartIsCountedByItself) {
   TrialTruth unlike = hidden(1, "memory", "relaxation"), like = hidden(2, "memory", "relaxation");
   unlike.nearest_family = 0.5;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "lumped/integration/simulate.hpp"
+#include "lumped/problem/error.hpp"
 #include "tests/support/effect_cases.hpp"
 
 namespace rebound {
@@ -98,8 +99,67 @@ TEST(EffectRecordsTest, CurvesReachWhereTheirCardsSay) {
   const Mechanisms& mechanisms = elastic.model.mechanisms;
   EXPECT_EQ(mechanisms.elastic.curve.value.back(), 0.4);
   EXPECT_EQ(mechanisms.elastic.curve.end, 0.2);
-  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic_curve.value.back(), 0.1);
-  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic_curve.value[1], 0.05);
+  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic.curve.value.back(), 0.1);
+  EXPECT_DOUBLE_EQ(mechanisms.damping.elastic.curve.value[1], 0.05);
+}
+
+// Each factor by its own number of its shape, and the damping by the share that is asked.
+TEST(EffectRecordsTest, DampingFollowsAnElasticFactorInItsShare) {
+  const auto of = [](auto edit) {
+    return [edit](LumpedProblem& problem) {
+      Mechanisms& m = problem.model.mechanisms;
+      edit(m.elastic, 0.4);
+      edit(m.damping.elastic, 0.1);
+    };
+  };
+  expect_written<LumpedProblem>(
+      test::problem_for_effects(),
+      {{{"force-exponent", 0.4, {{"damping_share", 0.25}}},
+        of([](ElasticFactors& f, double size) { f.exponent = size; })},
+       {{"strain-stiffening", 0.4, {{"damping_share", 0.25}, {"power", 2.0}}},
+        of([](ElasticFactors& f, double size) {
+          f.stiffening = size;
+          f.stiffening_power = 2.0;
+        })},
+       {{"foam-softening", 0.4, {{"damping_share", 0.25}, {"depth_over_radius", 0.02}}},
+        of([](ElasticFactors& f, double size) {
+          f.softening = size;
+          f.softening_depth = 0.02;
+        })},
+       {{"densification", 0.4, {{"damping_share", 0.25}, {"onset_over_radius", 0.1}}},
+        of([](ElasticFactors& f, double size) {
+          f.densification = size;
+          f.densification_onset = 0.1;
+        })},
+       {{"layered-core", 0.4, {{"damping_share", 0.25}, {"depth_over_radius", 0.03}}},
+        of([](ElasticFactors& f, double size) {
+          f.layer = size;
+          f.layer_depth = 0.03;
+        })}});
+}
+
+// A body of branches has no damping that could follow or not: FE takes the form without it.
+TEST(EffectRecordsTest, InFemAFactorHasNoShareOfTheDamping) {
+  const EffectChoice lumped{
+      "foam-softening", 0.3, {{"damping_share", 1.0}, {"depth_over_radius", 0.02}}};
+  FemProblem problem = test::fem_problem_for_effects();
+  EXPECT_THROW(apply_effects({lumped}, problem), Error);
+  apply_effects({form_in_fem(lumped)}, problem);
+  EXPECT_EQ(problem.material.strain.softening, 0.3);
+}
+
+TEST(EffectRecordsTest, AFreeFormOfOneEffectIsThatEffectByAnotherLaw) {
+  EXPECT_EQ(effect_behind("pull-curves"), "adhesion");
+  EXPECT_EQ(effect_behind("adhesion"), "adhesion");
+  // Five effects are a factor over the deflection: the curve says none of them.
+  EXPECT_EQ(effect_behind("elastic-curve"), "elastic-curve");
+  for (const Effect& effect : all_effects()) {
+    if (effect.card.free_form_of.empty()) continue;
+    const EffectCard& behind = find_effect(effect.card.free_form_of).card;
+    EXPECT_TRUE(effect.card.is_free_form);
+    EXPECT_FALSE(behind.is_free_form);
+    EXPECT_EQ(behind.family, effect.card.family);
+  }
 }
 
 TEST(EffectRecordsTest, OfTheFeProblem) {
