@@ -121,7 +121,8 @@ struct EffectChoice {
 /// Is it an unknown of a fit that starts from this choice, of the lumped model or of the FE model?
 bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice);
 
-/// Its form in FE: numbers of the lumped form alone at their defaults.
+/// The same effect as FE states it: what the formula has as constants there (damping that follows,
+/// numbers of its shape) left out. A number that makes it another effect stays, and FE refuses it.
 EffectChoice form_in_fem(EffectChoice choice);
 
 /// Effects as one of several balls has them.

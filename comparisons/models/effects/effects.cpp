@@ -126,7 +126,7 @@ std::string effect_behind(const std::string& name) {
 
 EffectChoice form_in_fem(EffectChoice choice) {
   for (const EffectParameterCard& one : find_effect(choice.name).card.parameters)
-    if (!one.in_fem) choice.parameters.erase(one.name);
+    if (!one.in_fem && (!one.fitted || one.is_left_open)) choice.parameters.erase(one.name);
   return choice;
 }
 

@@ -95,8 +95,8 @@ class FemOfBalls {
 EffectInFem compare_tiers(const Diagnosis& d, const FemOfBalls& balls, const FemOfAllBalls& without,
                           const FemOfAllBalls& with, std::size_t k);
 
-/// Fills in what FE leaves shot by shot, with the errors of the cells of `balls`: those on which the
-/// verdict rests. Errors: those of FE.
+/// Fills in what FE leaves shot by shot, with the errors of the cells of `balls`: those on which
+/// the verdict rests. Errors: those of FE.
 void measure_shots(const FemOfBalls& balls, ShotsInFem& shots);
 
 /// The same on cells as a search has them, of shots that have not been measured; nothing where FE

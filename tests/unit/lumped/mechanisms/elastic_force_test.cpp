@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 
@@ -14,6 +15,7 @@ namespace rebound {
 namespace {
 
 constexpr double radius = 0.0331;
+constexpr double onset = 0.08;  // of densification, over the radius
 constexpr ElasticForce::Setting setting{.radius = radius, .speed = 15.0};
 
 AnyLaw law_named(const std::string& name) {
@@ -34,14 +36,18 @@ std::vector<Mechanisms> every_factor() {
              .memory = {.hysteresis = 0.2, .permanent_set = 0.1}};
   list[8].elastic = {.stiffening = 1.3, .stiffening_power = 2.5};
   list[9].elastic = {.softening = 0.4, .softening_depth = 0.02};
-  list[10].elastic = {.densification = 7.0, .densification_onset = 0.08};
+  list[10].elastic = {.densification = 7.0, .densification_onset = onset};
   list[11].elastic = {.layer = 0.7, .layer_depth = 0.03};
   return list;
 }
 
+/// In two pieces, for densification has a corner between them.
 double integral(const std::function<double(double)>& f, double from, double to) {
   boost::math::quadrature::tanh_sinh<double> rule;
-  return rule.integrate(f, from, to);
+  const double corner = std::clamp(onset * radius, from, to);
+  double sum = corner > from ? rule.integrate(f, from, corner) : 0.0;
+  if (corner < to) sum += rule.integrate(f, corner, to);
+  return sum;
 }
 
 TEST(ElasticForceTest, NoFactorIsTheLaw) {

@@ -14,6 +14,13 @@ TEST(NamesInFemTest, ANumberThatFeDoesNotHaveIsNoFormThere) {
   EXPECT_FALSE(fem_can_state(curve));
 }
 
+// Whether damping follows is no question there, and where a foam's plateau begins is a constant.
+TEST(NamesInFemTest, WhatIsAConstantInFeIsLeftOut) {
+  EXPECT_TRUE(fem_can_state({.name = "foam-softening",
+                             .size = 0.3,
+                             .parameters = {{"damping_share", 1.0}, {"depth_over_radius", 0.02}}}));
+}
+
 TEST(NamesInFemTest, AnEffectWithAFormInFeCanBeAskedAndOneWithoutCannot) {
   EXPECT_TRUE(fem_can_state({.name = "relaxation", .size = 0.3, .parameters = {}}));
   EXPECT_TRUE(fem_can_state({.name = "plate-compliance", .size = 1e-8, .parameters = {}}));

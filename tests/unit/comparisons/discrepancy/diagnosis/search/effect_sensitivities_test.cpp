@@ -63,7 +63,7 @@ TEST(EffectSensitivitiesTest, NoiseExceedsTheThresholdAsOftenAsItsLevelSays) {
 
 // The largest of one square of a normal number: 1.96², three standard errors of 4000 draws.
 TEST(EffectSensitivitiesTest, TheThresholdOfOneEffectIsThatOfChiSquare) {
-  const Around one({}, 500, {"force-exponent"});
+  const Around one({}, 500, {"damping-exponent"});
   ASSERT_EQ(one.around.all().size(), 1u);
   EXPECT_NEAR(one.around.threshold(0.05, 1), 3.84, 0.32);
 }
