@@ -29,6 +29,12 @@ TEST(HypothesisFitTest, AFrequencyThatWasPickedFromManyCostsMore) {
   EXPECT_NEAR(picked_by_search({"hum", 1.0, {{"frequency", 2e3}}}), 1.0, 1e-9);
 }
 
+// The formula's own power is no choice of a search; another one is.
+TEST(HypothesisFitTest, AShapeThatIsNotTheFormulasOwnCostsAsMuch) {
+  EXPECT_NEAR(picked_by_search({"strain-stiffening", 0.3, {}}), 0.0, 1e-9);
+  EXPECT_NEAR(picked_by_search({"strain-stiffening", 0.3, {{"power", 2.0}}}), 1.0, 1e-9);
+}
+
 TEST(HypothesisFitTest, AFormulaOfOneSizeCostsTwo) {
   EXPECT_NEAR(picked_by_search({"force-exponent", 0.01, {}}), 0.0, 1e-9);
 }

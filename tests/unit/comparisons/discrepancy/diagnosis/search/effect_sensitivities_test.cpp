@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
@@ -66,6 +68,21 @@ TEST(EffectSensitivitiesTest, TheThresholdOfOneEffectIsThatOfChiSquare) {
   const Around one({}, 500, {"damping-exponent"});
   ASSERT_EQ(one.around.all().size(), 1u);
   EXPECT_NEAR(one.around.threshold(0.05, 1), 3.84, 0.32);
+}
+
+// Damping that follows or not, the formula's own depth or another one: a search from the best of
+// each.
+TEST(EffectSensitivitiesTest, EveryVariantOfAnEffectHasItsStart) {
+  Around one({{"layered-core", 0.5, {}}}, 501, {"layered-core", "hysteresis"});
+  one.around.look_for_starts();
+  std::set<std::pair<bool, bool>> variants;
+  const auto starts = one.around.starts("layered-core", 2);
+  for (const EffectChoice& start : starts)
+    variants.insert({start.parameters.at("damping_share") == 1.0,
+                     start.parameters.at("depth_over_radius") == 0.1});
+  EXPECT_EQ(starts.size(), 4u);
+  EXPECT_EQ(variants.size(), 4u);
+  EXPECT_EQ(one.around.starts("hysteresis", 2).size(), 2u);
 }
 
 // Of a law that is free the damping takes out what it changes; of one that the data hold at a bound
