@@ -20,16 +20,16 @@ double law_force(const AnyLaw& law, double x) {
   return std::visit([x](const auto& l) { return l.elastic_force(x); }, law);
 }
 
-/// Where the factors change their formula, as deflections [m]; infinite and zero: nowhere.
+/// Where the factors change their formula, as deflections [m].
 struct Corners {
-  double onset = 0.0;      ///< of densification; infinite where there is none
+  double onset = std::numeric_limits<double>::infinity();  ///< of densification; infinite: none
   double curve_end = 0.0;  ///< the cubics of a curve meet up to here; 0: no curve
 };
 
 Corners corners_of(const ElasticFactors& factors, double radius) {
-  const double onset = factors.densification != 0.0 ? factors.densification_onset * radius
-                                                    : std::numeric_limits<double>::infinity();
-  return {.onset = onset, .curve_end = factors.curve.end * radius};
+  Corners corners{.curve_end = factors.curve.end * radius};
+  if (factors.densification != 0.0) corners.onset = factors.densification_onset * radius;
+  return corners;
 }
 
 /// ∫ force dx from 0 to `last`, with x = u² for the power law at its start. Pieces end at corners.

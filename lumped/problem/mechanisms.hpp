@@ -56,7 +56,7 @@ struct DampingFactors {
   double exponent = 0.0;           ///< a in (x/x_r)^a [-]
   double velocity_exponent = 0.0;  ///< b in |ẋ/v_r|^b [-]
   double dashpot = 0.0;            ///< c in c ẋ [N s/m]
-  FactorCurve added{};             ///< coefficient of a damper without a formula, over √(x/R)
+  FactorCurve added{};             ///< coefficient of a damper without a formula, over (x/R)^(1/4)
   ElasticFactors elastic{};        ///< on F_d, as far as it follows those on F_e
   FactorCurve rate_curve{};        ///< over |ẋ| [m/s]
 

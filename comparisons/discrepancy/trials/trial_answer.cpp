@@ -6,6 +6,16 @@
 #include "comparisons/models/effects/effect.hpp"
 
 namespace rebound {
+namespace {
+
+bool any_in_candidates(const TrialAnswer& answer,
+                       const std::function<bool(const std::string&)>& is_it) {
+  return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
+    return std::any_of(names.begin(), names.end(), is_it);
+  });
+}
+
+}  // namespace
 
 bool is_missing(const TrialAnswer& answer) {
   return answer.verdict == "failed";
@@ -18,17 +28,6 @@ bool says_gap(const TrialAnswer& answer) {
 std::string family_said(const TrialAnswer& answer) {
   return answer.verdict == "measurement-fault" ? "measurement" : answer.family;
 }
-
-namespace {
-
-bool any_in_candidates(const TrialAnswer& answer,
-                       const std::function<bool(const std::string&)>& is_it) {
-  return std::any_of(answer.candidates.begin(), answer.candidates.end(), [&](const auto& names) {
-    return std::any_of(names.begin(), names.end(), is_it);
-  });
-}
-
-}  // namespace
 
 bool in_a_candidate(const TrialAnswer& answer, const std::string& name) {
   return any_in_candidates(

@@ -7,7 +7,6 @@
 namespace rebound {
 namespace {
 
-constexpr double next_to_null = 0.01;      // of where a logarithmic size starts
 constexpr double parameter_reach = 100.0;  // a factor either way of where a parameter starts
 
 CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
@@ -15,7 +14,7 @@ CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
   return {.name = card.name,
           .unit = "ln SI",
           .start = std::log(off_null),
-          .lowest = std::log(next_to_null * off_null),
+          .lowest = std::log(share_next_to_null(card) * off_null),
           .highest = std::log(card.range.highest),
           .scale = 1.0};
 }

@@ -118,6 +118,11 @@ struct EffectChoice {
   friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
 };
 
+/// Do lumped fits of one effect differ in it by more than by where they start? So do numbers that
+/// no fit looks for and that have several choices, and those that a search looks for only where it
+/// starts off their default. The number of a shot is a choice of its own.
+bool makes_variants(const EffectParameterCard& parameter);
+
 /// Is it an unknown of a fit that starts from this choice, of the lumped model or of the FE model?
 bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice);
 
@@ -222,8 +227,9 @@ std::string size_unit(const EffectCard& card);
 /// The list of effects.inc, in the order of effects that a report shows.
 const std::vector<Effect>& all_effects();
 
-/// Where searches begin beside a one-sided null, as a share of the prior scale: nearer where a
-/// number of the effect's shape decides what its size is the size of.
+/// How near searches come to a one-sided null, as a share of the prior scale, or of where a
+/// logarithmic size starts: nearer where a number of the effect's shape decides what its size is
+/// the size of.
 double share_next_to_null(const EffectCard& card);
 
 /// The effect that a free form is another law of; any other name as it is.

@@ -104,6 +104,11 @@ const std::vector<Effect>& all_effects() {
   return list;
 }
 
+bool makes_variants(const EffectParameterCard& parameter) {
+  return parameter.kind != ParameterKind::shot && parameter.in_lumped && !parameter.tried.empty() &&
+         (!parameter.fitted || parameter.is_left_open);
+}
+
 bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice) {
   if (!parameter.fitted || !(of_fem ? parameter.in_fem : parameter.in_lumped)) return false;
   if (!parameter.is_left_open) return true;

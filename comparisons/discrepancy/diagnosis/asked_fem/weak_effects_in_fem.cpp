@@ -38,8 +38,7 @@ void look_for_weak_effects_in_fem(Diagnosis& d, const Observations& all,
   sort_nearest_first(d.in_fem);
   conclude_from_weak_effects(d, without);
   deny_where_sharper_cells_do(d, without, balls.unseen(without));
-  if (d.verdict != DiagnosisVerdict::agrees && d.shots_in_fem)
-    measure_shots(balls, *d.shots_in_fem);
+  if (d.verdict != DiagnosisVerdict::agrees) measure_shots(balls, *d.shots_in_fem);
   d.in_fem.insert(d.in_fem.end(), asked_before.begin(), asked_before.end());
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;

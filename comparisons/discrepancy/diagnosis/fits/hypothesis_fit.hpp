@@ -56,8 +56,8 @@ HypothesisFit fit_hypothesis(const Observations& seen, const Hypothesis& hypothe
                              SearchEffort effort = SearchEffort::whole);
 
 /// Fits what `near` has fitted and one effect more, from each of the given
-/// starts of that effect; all other unknowns start as in `near`. The best
-/// search is kept.
+/// starts of that effect; all other unknowns start as in `near`. The search
+/// with the least χ² + k ln N is kept: starts may differ in how much is fitted.
 /// Errors: as above; Error(solver_failed) when no start has an answer.
 HypothesisFit fit_extended(const Observations& seen, const HypothesisFit& near,
                            const std::vector<EffectChoice>& starts, SearchEffort effort,

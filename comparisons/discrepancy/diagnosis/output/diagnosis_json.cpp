@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
+#include "comparisons/discrepancy/diagnosis/output/shot_gaps_json.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -113,45 +114,6 @@ Json where_json(const Diagnosis& d) {
   return where;
 }
 
-/// Shot by shot, those that the fit saw and those that it did not.
-Json gap_of_shots_json(const Diagnosis& d) {
-  Json shots = Json::array();
-  const auto add = [&](const Observations& seen, const std::vector<ShotGap>& gaps, bool fitted) {
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-      shots.push_back({{"shot", seen.shots[i].number},
-                       {"label", seen.shots[i].label},
-                       {"speed_m_s", seen.shots[i].impact.speed},
-                       {"fitted", fitted},
-                       {"reduced_chi_square", gaps[i].reduced_chi_square}});
-  };
-  if (d.gap.before) add(*d.seen, gaps_of_shots(d.believed.fit), true);
-  if (d.unseen_before) add(*d.unseen, d.unseen_before->of_shots, false);
-  return shots;
-}
-
-/// What FE leaves of the shots that it looks at, where a verdict rests on it; else null.
-Json gap_of_shots_in_fem_json(const Diagnosis& d) {
-  if (!d.shots_in_fem) return nullptr;
-  Json shots = Json::array();
-  const auto add = [&](const Observations& of, const std::vector<ShotGap>& before,
-                       const std::vector<ShotGap>& after, bool fitted) {
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i].rows > 0)
-        shots.push_back(
-            {{"shot", of.shots[i].number},
-             {"label", of.shots[i].label},
-             {"speed_m_s", of.shots[i].impact.speed},
-             {"fitted", fitted},
-             {"samples", before[i].rows},
-             {"before", before[i].reduced_chi_square},
-             {"after", after.empty() ? Json(nullptr) : Json(after[i].reduced_chi_square)}});
-  };
-  const ShotsInFem& fem = *d.shots_in_fem;
-  add(*d.seen, fem.before, fem.after, true);
-  add(*d.unseen, fem.unseen_before, fem.unseen_after, false);
-  return shots;
-}
-
 Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   if (bootstrap.draws == 0) return nullptr;
   Json chosen = Json::array();
@@ -255,8 +217,8 @@ Json to_json(const Diagnosis& d) {
         {"held_out_before", number_or_null(d.gap.held_out_before)},
         {"held_out_after", number_or_null(d.gap.held_out_after)},
         {"held_out_noise", d.gap.held_out_noise}}},
-      {"gap_of_shots", gap_of_shots_json(d)},
-      {"gap_of_shots_in_fem", gap_of_shots_in_fem_json(d)},
+      {"gap_of_shots", gap_of_shots(d)},
+      {"gap_of_shots_in_fem", gap_of_shots_in_fem(d)},
       {"held_out_speed_m_s", number_or_null(d.held_out_speed)},
       {"noise_from", d.seen ? d.seen->noise_from : ""},
       {"extended_model", nullptr},

@@ -68,12 +68,12 @@ std::vector<double> tried_values(const EffectParameterCard& parameter, const Obs
       if (shot.number > 0) values.push_back(shot.number);
     return values;
   }
-  if (parameter.is_left_open || !parameter.fitted) {
-    if (parameter.tried.empty() || !parameter.in_lumped) return values;
-    if (parameter.is_left_open) values.push_back(parameter.default_value);
-    values.insert(values.end(), parameter.tried.begin(), parameter.tried.end());
+  if (makes_variants(parameter)) {
+    values = parameter.tried;
+    if (parameter.is_left_open) values.insert(values.begin(), parameter.default_value);
     return values;
   }
+  if (!parameter.fitted || parameter.is_left_open) return values;
   values = in_si(parameter.tried, parameter.tried_in, parameter.range, scales);
   if (!values.empty()) return values;
   if (parameter.kind == ParameterKind::linear) return {parameter.default_value};

@@ -2,31 +2,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
 
 namespace rebound {
 namespace {
 
-/// Fits differ in it by more than by where they start: numbers that no fit looks for, and those
-/// that one looks for in some searches only.
-bool makes_variants(const EffectParameterCard& one) {
-  return one.kind != ParameterKind::shot && one.in_lumped && !one.tried.empty() &&
-         (!one.fitted || one.is_left_open);
-}
-
 bool has_variants(const EffectCard& card) {
   return std::any_of(card.parameters.begin(), card.parameters.end(), makes_variants);
 }
 
-std::vector<double> variant_of(const EffectCard& card, const EffectChoice& effect) {
-  std::vector<double> variant;
-  for (const EffectParameterCard& one : card.parameters) {
-    if (!makes_variants(one)) continue;
-    const double value = effect.parameters.at(one.name);
-    variant.push_back(!one.fitted || value == one.default_value ? value : one.range.highest);
-  }
+/// What tells two variants apart: the numbers as they stay; nothing for one that a fit looks for.
+using Variant = std::vector<std::optional<double>>;
+
+Variant variant_of(const EffectCard& card, const EffectChoice& effect) {
+  constexpr bool of_fem = false;
+  Variant variant;
+  for (const EffectParameterCard& one : card.parameters)
+    if (makes_variants(one))
+      variant.push_back(is_unknown(one, of_fem, effect)
+                            ? std::nullopt
+                            : std::optional(effect.parameters.at(one.name)));
   return variant;
 }
 
@@ -133,7 +132,7 @@ std::vector<EffectChoice> EffectSensitivities::starts(const std::string& name,
   const EffectCard& card = find_effect(name).card;
   const auto& oscillator = card.oscillator;
   std::vector<EffectChoice> best;
-  std::set<std::vector<double>> variants;
+  std::set<Variant> variants;
   for (const EffectProbe& probe : probes_) {
     if (probe.effect.name != name) continue;
     if (has_variants(card)) {
