@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "comparisons/discrepancy/diagnosis/fits/joint_search.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/white_noise_search.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/inference/calibration/differences.hpp"
 #include "lumped/problem/error.hpp"
@@ -84,17 +85,14 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   problem.controls = search_controls(*model);
   if (effort == SearchEffort::first_look)
     problem.controls.iterations = model->fem() ? first_look_in_fem : first_look_iterations;
-  if (near) {
-    const std::vector<double> starts = values_from(*near, *model);
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      CalibrationParameter& unknown = problem.parameters[i];
-      unknown.start = std::clamp(starts[i], unknown.lowest, unknown.highest);
-    }
-  }
+  if (near) start_at(values_from(*near, *model), problem);
   if (problem.parameters.empty()) {
     fit.residuals = model->residuals({});
   } else {
+    const CalibrationProblem begun = problem;
     fit.search = search_joint_model(*model, problem, control);
+    auto other = search_by_white_noise(seen, *model, begun, control);
+    if (other && other->cost_after < fit.search.cost_after) fit.search = std::move(*other);
     fit.values = fit.search.values();
     fit.residuals = model->residuals(fit.values);
   }

@@ -115,6 +115,7 @@ class JointModel {
   Material material_at(const std::vector<double>& values, std::size_t ball) const {
     return std::get<MaterialFactors>(numbers_).at(values, ball);
   }
+  const Hypothesis& hypothesis() const { return hypothesis_; }
   const std::shared_ptr<const FemBelief>& fem() const { return hypothesis_.fem; }
   /// How a shot was measured, as these values say.
   MeasurementChain chain_at(const std::vector<double>& values, std::size_t shot) const;

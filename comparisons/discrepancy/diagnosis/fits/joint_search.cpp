@@ -1,5 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/fits/joint_search.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -16,11 +17,18 @@ double left_of(const JointModel& model, const std::vector<double>& values) {
 
 CalibrationResult search_at(CalibrationProblem& problem, const std::vector<double>& start,
                             const RunControl& control) {
-  for (std::size_t i = 0; i < start.size(); ++i) problem.parameters[i].start = start[i];
+  start_at(start, problem);
   return calibrate(problem, control);
 }
 
 }  // namespace
+
+void start_at(const std::vector<double>& values, CalibrationProblem& problem) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    CalibrationParameter& unknown = problem.parameters[i];
+    unknown.start = std::clamp(values[i], unknown.lowest, unknown.highest);
+  }
+}
 
 CalibrationControls search_controls(const JointModel& model) {
   return {.relative_step = model.difference_step(),
@@ -32,8 +40,6 @@ CalibrationControls search_controls(const JointModel& model) {
 
 CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem& problem,
                                      const RunControl& control) {
-  constexpr int most_searches = 3;
-  constexpr double worth_a_search = 6.0;  // of χ²
   std::vector<double> start;
   for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
   CalibrationResult best = search_at(problem, start, control);
@@ -43,9 +49,15 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
     CalibrationResult other = search_at(problem, at_jumps, control);
     if (other.cost_after < best.cost_after) best = std::move(other);
   }
-  // Where the force rises smoothly slopes tell the start, and a further search gains nothing.
-  const bool jumps = model.with_starts_at_jumps(best.values()) != best.values();
-  for (int count = 1; jumps && count < most_searches; ++count) {
+  return search_with_settled_starts(model, problem, std::move(best), control);
+}
+
+CalibrationResult search_with_settled_starts(const JointModel& model, CalibrationProblem& problem,
+                                             CalibrationResult best, const RunControl& control) {
+  constexpr int most_searches = 5;
+  constexpr double worth_a_search = 6.0;  // of χ²
+  // Where the force rises smoothly slopes tell the start, and this ends at once.
+  for (int count = 0; count < most_searches; ++count) {
     const std::vector<double> settled = model.with_settled_starts(best.values());
     if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
     best = search_at(problem, settled, control);

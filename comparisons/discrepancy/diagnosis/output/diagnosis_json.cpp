@@ -122,6 +122,13 @@ Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   return {{"draws", bootstrap.draws}, {"chosen", chosen}};
 }
 
+Json further_force_json(const ForceScoreTest& test) {
+  if (test.freedom == 0) return nullptr;
+  return {{"gain_chi_square", test.chi_square},
+          {"freedom", test.freedom},
+          {"p_value", test.p_value}};
+}
+
 /// The sets that were fitted, best criterion first.
 Json tried_json(const std::vector<AssessedFit>& tried) {
   Json list = Json::array();
@@ -137,6 +144,7 @@ Json tried_json(const std::vector<AssessedFit>& tried) {
                     {"remaining_threshold", one.remaining_threshold},
                     {"largest_z", one.map.largest},
                     {"z_threshold", one.map.threshold},
+                    {"further_force", further_force_json(one.further_force)},
                     {"explains", one.judged ? Json(one.adequate) : Json(nullptr)}});
   }
   return list;

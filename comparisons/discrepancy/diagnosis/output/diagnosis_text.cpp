@@ -131,7 +131,8 @@ std::string headline(const Diagnosis& d) {
       return "A fault of the measurement is suspected: " + d.fault + ".";
     case DiagnosisVerdict::unexplained:
       return d.effects.empty()
-                 ? std::string("Model and data disagree, and nothing in the list explains it.")
+                 ? fmt::format("Model and data disagree, and nothing in the list explains it{}.",
+                               d.withheld.empty() ? "" : ": " + d.withheld)
                  : "Missing from the model: " + sized() +
                        "; what is left then, nothing in the list "
                        "explains.";

@@ -39,24 +39,29 @@ bool leaves_little_force(const AssessedFit& baseline, const AssessedFit& candida
          candidate.further_force.excess() <= share * share * explained;
 }
 
+/// Of the map, how far above its threshold what is nearly adequate may be.
+constexpr double above_threshold = 1.2;
+
 /// A curve through a few points is judged by what it leaves of the residuals of the baseline.
 void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
   constexpr double share = 0.1, most_remaining = 0.3;  // of the residuals
-  if (curve.p_value <= rules.smallest_adequate_p ||
-      largest_z(curve.map) > std::max(curve.map.threshold, share * largest_z(baseline.map)))
-    return;
+  if (curve.p_value <= rules.smallest_adequate_p) return;
+  const double z = largest_z(curve.map), left = share * largest_z(baseline.map);
+  const bool beside_another = curve.fit.effects.size() > baseline.fit.effects.size() + 1;
+  const double nearly = beside_another ? above_threshold : 1.0;
   const auto leaves_little = [&](double most) {
     return has_little_remaining(baseline, curve, most) &&
            leaves_little_force(baseline, curve, most, rules.smallest_adequate_p);
   };
-  curve.adequate = leaves_little(share);
-  curve.nearly_adequate = leaves_little(most_remaining);
+  curve.adequate = z <= std::max(curve.map.threshold, left) && leaves_little(share);
+  curve.nearly_adequate =
+      z <= std::max(nearly * curve.map.threshold, left) && leaves_little(most_remaining);
 }
 
 /// A formula that leaves a little is nearly what is missing: of the map a fifth above its
 /// threshold, of the χ² a twelfth of what it explains.
 void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& formula) {
-  constexpr double above_threshold = 1.2, most_remaining = 0.3;  // of the residuals
+  constexpr double most_remaining = 0.3;  // of the residuals
   formula.nearly_adequate =
       formula.p_value > rules.smallest_adequate_p &&
       largest_z(formula.map) <= above_threshold * formula.map.threshold &&

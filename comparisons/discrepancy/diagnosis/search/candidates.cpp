@@ -129,6 +129,19 @@ void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, 
   if (preferred) members = indistinguishable_models(tried, reach);
 }
 
+bool accept_leading_pair(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                         std::vector<std::size_t>& members) {
+  constexpr double plainly = 5.0;
+  if (!members.empty() || tried.size() < 2) return false;
+  AssessedFit& leader = tried.front();
+  if (!leader.nearly_adequate || leader.fit.effects.size() != known + 2 || !has_curve(leader.fit) ||
+      tried[1].information_criterion() < leader.information_criterion() + plainly * reach)
+    return false;
+  leader.adequate = true;
+  members = {0};
+  return true;
+}
+
 void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std::size_t known,
                                      double reach, double smallest_p,
                                      std::vector<std::size_t>& members) {

@@ -36,6 +36,12 @@ const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, d
 void prefer_nearly_adequate(std::vector<AssessedFit>& tried, std::size_t known, double reach,
                             std::vector<std::size_t>& members);
 
+/// A curve beside one other effect that is nearly adequate, where nothing is adequate and all else
+/// that was tried fits plainly worse, by five times `reach`: what it leaves is that its points are
+/// few. It is adequate then, and the one candidate. Says whether there is one.
+bool accept_leading_pair(std::vector<AssessedFit>& tried, std::size_t known, double reach,
+                         std::vector<std::size_t>& members);
+
 /// Takes out of `members` what shares no family with the leader over them, where there is one.
 void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std::size_t known,
                                      double reach, double smallest_p,

@@ -45,6 +45,11 @@ class EffectSearch {
   /// stands beside it or takes its place.
   void sets_beside_curves();
 
+  /// Of the best set of two formulas: either of them with the free forms of other families in place
+  /// of the other one, and with the form that contains it in its own place. A body whose second
+  /// effect has another law than the formula leaves what no formula beside it takes.
+  bool sets_of_a_formula_and_a_form();
+
   /// Of several balls: the best sets so far again, with sizes of its own for every ball.
   bool sizes_of_each_ball();
 
@@ -60,6 +65,12 @@ class EffectSearch {
     std::vector<EffectChoice> starts;
     double expected = 0.0;  ///< χ²
   };
+  /// A free form beside a formula, or the other way round: what is fitted already, and where the
+  /// search for the other one starts.
+  struct FormBeside {
+    const HypothesisFit* near = nullptr;
+    std::vector<EffectChoice> starts;
+  };
   /// Searches per effect; the best of a grid first.
   static constexpr std::size_t starts_per_effect = 2;
   /// Names with what they promise, best first.
@@ -69,6 +80,10 @@ class EffectSearch {
   Ranked best_of_each_kind(const Ranked& ranked) const;
   std::vector<Extension> extensions(std::size_t count) const;
   const HypothesisFit* fitted_part_of(const EffectCard& card) const;
+  const HypothesisFit* fit_of(const EffectNames& names) const;
+  const HypothesisFit* best_pair_of_formulas() const;
+  std::vector<FormBeside> forms_beside(const EffectChoice& formula,
+                                       const EffectChoice& other) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
   std::vector<HypothesisFit> with_own_sizes() const;

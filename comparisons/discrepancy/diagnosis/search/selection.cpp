@@ -31,6 +31,7 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
       search.prune();
       return;
     }
+    if (count == 2 && ends(search.sets_of_a_formula_and_a_form())) return;
     // A set that gains nothing by one effect more gains nothing by two.
     if (selection.tried.empty() ||
         selection.tried.front().fit.chi_square > before - rules.close_criterion)

@@ -43,6 +43,17 @@ std::vector<DataCheck> contradictions_of_momentum(const Diagnosis& d, const Obse
   return left;
 }
 
+/// Is it one shot that contradicts all others, which agree among themselves? A force on the ball
+/// that the sensor does not take up, or another body that is hit, is in all shots.
+bool is_of_one_shot(const DataCheck& check, const Observations& all) {
+  Observations others = all;
+  if (std::erase_if(others.shots,
+                    [&](const MeasuredImpact& shot) { return shot.label == check.of; }) != 1)
+    return false;
+  const std::vector<DataCheck> left = contradictions_among(check_data(others));
+  return std::none_of(left.begin(), left.end(), follows_from_momentum);
+}
+
 }  // namespace
 
 void suspect_measurement(Diagnosis& d, std::vector<std::vector<std::string>> candidates,
@@ -68,13 +79,20 @@ void suspect_what_contradicts_momentum(Diagnosis& d, const Observations& all) {
   const std::vector<DataCheck> left = contradictions_of_momentum(d, all);
   if (left.empty()) return;
   const DataCheck& first = left.front();
+  const std::string against =
+      fmt::format("the {} of {}, by {:.1f} standard deviations, whatever the contact is",
+                  first.what, first.of, std::abs(first.deviations()));
   drop_candidates(d);
   d.excluded.clear();
-  suspect_measurement(
-      d, {},
-      fmt::format("the data contradict themselves in the {} of {}, by {:.1f} standard deviations, "
-                  "whatever the contact is; mended by {}",
-                  first.what, first.of, std::abs(first.deviations()), first.mended_by));
+  if (is_of_one_shot(first, all))
+    suspect_measurement(d, {},
+                        fmt::format("the data contradict themselves in {}; mended by {}", against,
+                                    first.mended_by));
+  else
+    d.withheld = fmt::format(
+        "momentum is contradicted in {}: a fault of the measurement that is not in the list, or a "
+        "force on the ball that the sensor does not take up",
+        against);
 }
 
 }  // namespace rebound

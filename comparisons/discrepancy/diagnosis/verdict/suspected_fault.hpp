@@ -21,13 +21,16 @@ void suspect_measurement(Diagnosis& diagnosis, std::vector<std::vector<std::stri
 void suspect_a_coarse_recorder(Diagnosis& diagnosis);
 
 /// Where nothing explains the data, and impulse, energy or restitution contradict each other as no
-/// fitted model does: momentum balance holds whatever the contact is.
+/// fitted model does: momentum balance holds whatever the contact is. In one shot alone that is a
+/// fault of the measurement. In several it may as well be a force on the ball that the sensor does
+/// not take up: the data stay unexplained, and the reason says both.
 ///
 /// Repeats that differ are not of them, for a ball may change from shot to shot.
-/// Valid:   plate at rest, or one that a fitted model has; no force on the ball outside the contact
-///          -> a magnet under the plate contradicts the balance too.
-/// Limit:   a shot with a gain of its own that no fit has seen is a fault
-///          -> test SuspectedFaultTest.AShotAgainstItsImpulseIsAFault.
+/// Valid:   plate at rest, or one that a fitted model has.
+/// Limit:   a shot with a gain of its own that no fit has seen is a fault; a gain of all shots that
+///          explains nothing is none
+///          -> tests SuspectedFaultTest.AShotAgainstItsImpulseIsAFault,
+///             SuspectedFaultTest.AllShotsAgainstTheirImpulseAreUnexplained.
 /// Errors:  as JointModel.
 void suspect_what_contradicts_momentum(Diagnosis& diagnosis, const Observations& all);
 

@@ -95,6 +95,18 @@ TEST(FamilyTest, APullBeyondThePlateIsOfTheSurfaceFamily) {
   EXPECT_EQ(wrong, 0);
 }
 
+/// No formula of a pull is that of this surface, and no set of formulas takes its place.
+TEST(FamilyTest, APullBesideAPlateIsSaidWithThePlate) {
+  const EffectChoice plate{"plate-compliance", 1e-8, {{"mass", 0.5}, {"damping_ratio", 0.03}}};
+  int both = 0;
+  for (const int seed : {41, 42, 43}) {
+    const Diagnosis d = diagnose_hidden(experiment_with({plate, sticky_surface()}, seed));
+    const std::vector<std::vector<std::string>> names{{"plate-compliance", "pull-curves"}};
+    both += d.candidates == names;
+  }
+  EXPECT_GE(both, 2);
+}
+
 // What a diagnosis looks for is measured in the ball and its contact, not in kilograms.
 TEST(FamilyTest, APlateUnderASmallBallIsFound) {
   for (const int seed : {31, 32}) {

@@ -52,6 +52,37 @@ TEST(NearlyAdequateTest, NeitherIsOneBesideASet) {
             (Members{1}));
 }
 
+/// Is a nearly adequate set that leads by so much, where nothing is adequate, accepted?
+bool is_accepted(const std::vector<std::string>& set, double lead) {
+  std::vector<AssessedFit> tried{fit_of(set, 1000.0), fit_of({"hysteresis"}, 1000.0 + lead)};
+  tried[0].nearly_adequate = true;
+  Members members;
+  const bool accepted = accept_leading_pair(tried, 0, 6.0, members);
+  EXPECT_EQ(members, accepted ? Members{0} : Members{});
+  EXPECT_EQ(tried[0].adequate, accepted);
+  return accepted;
+}
+
+TEST(LeadingPairTest, ACurveBesideAFormulaIsAcceptedWhereAllElseFitsPlainlyWorse) {
+  EXPECT_TRUE(is_accepted({"linear-dashpot", "pull-curves"}, 31.0));
+  EXPECT_FALSE(is_accepted({"linear-dashpot", "pull-curves"}, 29.0));
+}
+
+TEST(LeadingPairTest, FormulasAndSinglesAreNot) {
+  EXPECT_FALSE(is_accepted({"linear-dashpot", "adhesion"}, 1000.0));
+  EXPECT_FALSE(is_accepted({"pull-curves"}, 1000.0));
+  EXPECT_FALSE(is_accepted({"plate-compliance", "linear-dashpot", "pull-curves"}, 1000.0));
+}
+
+TEST(LeadingPairTest, NothingIsAcceptedBesideACandidate) {
+  std::vector<AssessedFit> tried{fit_of({"linear-dashpot", "pull-curves"}, 1000.0),
+                                 fit_of({"hysteresis"}, 2000.0)};
+  tried[0].nearly_adequate = tried[1].adequate = true;
+  Members members{1};
+  EXPECT_FALSE(accept_leading_pair(tried, 0, 6.0, members));
+  EXPECT_EQ(members, (Members{1}));
+}
+
 /// Fits of these criteria: one that leaves something, and one that is adequate.
 std::vector<AssessedFit> leader_and_adequate(const std::string& adequate, double behind, double p) {
   std::vector<AssessedFit> tried{fit_of({"permanent-set"}, 1000.0),

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
@@ -62,6 +63,33 @@ TEST(SettledStartsTest, AreTakenAlongBySearches) {
       fit_extended(jump.seen, law, {{"linear-dashpot", 20.0, {}}}, SearchEffort::whole);
   EXPECT_LT(found.reduced_chi_square(), 1.2);
   EXPECT_NEAR(found.effects.back().size, dashpot.size, 0.1 * dashpot.size);
+}
+
+/// Noise that hardly changes from sample to sample: once its colour is taken out, a damper that
+/// rises within a few samples of first touch is as good as a jump. From nothing the search for its
+/// curve must come as near as from the damper itself.
+TEST(SettledStartsTest, AreTakenAlongWhereTheForceIsSteep) {
+  SynthesisFile file = testing::experiment_with({}, 6);
+  const EffectCard& card = find_effect("damping-curves").card;
+  const auto curves = [&](double slope) {
+    EffectChoice choice{.name = card.name, .size = 0.0, .parameters = {}};
+    for (const EffectParameterCard& one : card.parameters)
+      choice.parameters[one.name] = one.default_value;
+    for (int k = 1; k < 6; ++k)
+      choice.parameters["deflection_" + std::to_string(k)] = 0.2 * slope * k;
+    return choice;
+  };
+  const EffectChoice damper = curves(0.2);
+  file.effects = {damper};
+  file.instrument.force_noise = 5.0;
+  file.instrument.noise_correlation_time = 3e-4;  // thirty samples
+  const Observations seen = observe({testing::measured_data(file)});
+  const HypothesisFit law = fit_hypothesis(
+      seen, {.believed = testing::believed_law(), .effects = {}, .model_discrepancy = nullptr});
+  const HypothesisFit best = fit_extended(seen, law, {damper}, SearchEffort::whole);
+  const HypothesisFit found = fit_extended(seen, law, {curves(0.0)}, SearchEffort::whole);
+  ASSERT_GT(law.chi_square, 10.0 * best.chi_square);
+  EXPECT_LT(found.chi_square, 1.1 * best.chi_square);
 }
 
 }  // namespace

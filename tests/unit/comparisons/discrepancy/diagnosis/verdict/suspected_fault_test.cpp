@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
@@ -9,13 +11,18 @@
 namespace rebound {
 namespace {
 
-/// Restitutions of their own; the forces of shot 2 are too large by this factor.
-Observations with_second_shot_times(double factor) {
+/// Restitutions of their own; the forces of the given shots are too large by this factor.
+Observations with_shots_times(const std::vector<std::size_t>& shots, double factor) {
   SynthesisFile file = testing::experiment_with({}, 1);
   for (SynthesisShot& shot : file.shots) shot.restitution_uncertainty = 0.01;
   Dataset dataset = synthesize(file, simulator_of(file, {})).dataset;
-  for (double& force : dataset.shots[1].trace.force) force *= factor;
+  for (const std::size_t i : shots)
+    for (double& force : dataset.shots[i].trace.force) force *= factor;
   return observe({dataset});
+}
+
+Observations with_second_shot_times(double factor) {
+  return with_shots_times({1}, factor);
 }
 
 Diagnosis suspected(const Observations& all, DiagnosisVerdict verdict) {
@@ -36,6 +43,14 @@ TEST(SuspectedFaultTest, AShotAgainstItsImpulseIsAFault) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
   EXPECT_EQ(d.family, EffectFamily::measurement);
   EXPECT_NE(d.fault.find(all.shots[1].label), std::string::npos) << d.fault;
+}
+
+/// A magnet below the plate pulls in all shots, and so may a gain that no list holds.
+TEST(SuspectedFaultTest, AllShotsAgainstTheirImpulseAreUnexplained) {
+  const Diagnosis d = suspected(with_shots_times({0, 1, 2}, 1.3), DiagnosisVerdict::unexplained);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  EXPECT_NE(d.withheld.find("momentum is contradicted in the impulse"), std::string::npos)
+      << d.withheld;
 }
 
 TEST(SuspectedFaultTest, WithoutAContradictionNothingIsSuspected) {
