@@ -115,7 +115,8 @@ struct Diagnosis {
   /// adds to it; `before` and `held_out_before` alone.
   std::optional<Gap> law_alone;
   std::optional<ShotsInFem> shots_in_fem;
-  std::string withheld;  ///< why there is no name; empty: there is one, or no reason beyond the verdict
+  /// Why there is no name; empty: there is one, or no reason beyond the verdict.
+  std::string withheld;
   std::vector<MapCell> where;  ///< cells beyond the threshold, largest first
   Gap gap;
   std::optional<double> held_out_speed;

@@ -124,9 +124,8 @@ Json bootstrap_json(const SelectionBootstrap& bootstrap) {
 
 Json further_force_json(const ForceScoreTest& test) {
   if (test.freedom == 0) return nullptr;
-  return {{"gain_chi_square", test.chi_square},
-          {"freedom", test.freedom},
-          {"p_value", test.p_value}};
+  return {
+      {"gain_chi_square", test.chi_square}, {"freedom", test.freedom}, {"p_value", test.p_value}};
 }
 
 /// The sets that were fitted, best criterion first.
