@@ -82,6 +82,7 @@ class EffectSearch {
   const HypothesisFit* fitted_part_of(const EffectCard& card) const;
   const HypothesisFit* fit_of(const EffectNames& names) const;
   const HypothesisFit* best_pair_of_formulas() const;
+  void drop_curves_behind_a_leader();
   std::vector<FormBeside> forms_beside(const EffectChoice& formula,
                                        const EffectChoice& other) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;

@@ -17,8 +17,23 @@ bool EffectSearch::sets_of_a_formula_and_a_form() {
     return fit_extended(seen_, *all[i].near, all[i].starts, SearchEffort::first_look, within());
   });
   finish(fits);
-  return found(fits) || accept_leading_pair(selection_.tried, base().effects.size(),
-                                            rules_.close_criterion, selection_.indistinguishable);
+  found(fits);
+  auto& members = selection_.indistinguishable;
+  if (members.empty())
+    return accept_leading_pair(selection_.tried, base().effects.size(), rules_.close_criterion,
+                               members);
+  drop_curves_behind_a_leader();
+  return !members.empty();
+}
+
+/// A curve beside a formula bends to more than two effects do: where something fits plainly better,
+/// and leaves something, there are more than two.
+void EffectSearch::drop_curves_behind_a_leader() {
+  if (!leader_over_adequate(selection_.tried, rules_.close_criterion, rules_.smallest_adequate_p))
+    return;
+  for (AssessedFit& one : selection_.tried)
+    if (added(one.fit) == 2 && has_curve(one.fit)) one.adequate = false;
+  selection_.indistinguishable = indistinguishable_models(selection_.tried, rules_.close_criterion);
 }
 
 /// Of what was tried, the set with these effects; null where there is none.

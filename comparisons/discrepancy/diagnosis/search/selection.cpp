@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/search/selection.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
@@ -8,6 +9,23 @@
 
 namespace rebound {
 namespace {
+
+/// Sets of two formulas and more; says whether they explain the data.
+bool explained_by_formulas(EffectSearch& search, const EffectSelection& selection,
+                           const SelectionRules& rules, const std::function<bool(bool)>& ends) {
+  for (std::size_t count = 2; count <= rules.most_effects; ++count) {
+    const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
+    if (ends(search.sets_of(count))) {
+      search.prune();
+      return true;
+    }
+    // A set that gains nothing by one effect more gains nothing by two.
+    if (selection.tried.empty() ||
+        selection.tried.front().fit.chi_square > before - rules.close_criterion)
+      return false;
+  }
+  return false;
+}
 
 /// The search itself: singles and families, then sets.
 void search_effects(EffectSearch& search, const EffectSelection& selection,
@@ -25,18 +43,7 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   constexpr double hopeless = 1e3;
   if (selection.tried.empty() || selection.tried.front().fit.reduced_chi_square() > hopeless)
     return;
-  for (std::size_t count = 2; count <= rules.most_effects; ++count) {
-    const double before = selection.tried.empty() ? 0.0 : selection.tried.front().fit.chi_square;
-    if (ends(search.sets_of(count))) {
-      search.prune();
-      return;
-    }
-    if (count == 2 && ends(search.sets_of_a_formula_and_a_form())) return;
-    // A set that gains nothing by one effect more gains nothing by two.
-    if (selection.tried.empty() ||
-        selection.tried.front().fit.chi_square > before - rules.close_criterion)
-      return;
-  }
+  if (!explained_by_formulas(search, selection, rules, ends)) search.sets_of_a_formula_and_a_form();
 }
 
 /// By how much the criterion of `one` is better; what the unseen speed says counts where both were
