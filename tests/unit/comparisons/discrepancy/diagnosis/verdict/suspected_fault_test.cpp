@@ -70,9 +70,10 @@ TEST(SuspectedFaultTest, RepeatsThatDifferMayBeTheBall) {
   d.selection.baseline.fit =
       fit_hypothesis(all, {.believed = testing::believed_law(), .effects = {}});
   d.verdict = DiagnosisVerdict::unexplained;
-  d.contradictions = {{.what = "repeat", .of = "a", .measured = 9.0, .error = 1.0}};
+  d.contradictions = {{.what = "repeat", .of = all.shots[1].label, .measured = 9.0, .error = 1.0}};
   suspect_what_contradicts_momentum(d, all);
   EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  EXPECT_TRUE(d.withheld.empty()) << d.withheld;
 }
 
 TEST(SuspectedFaultTest, CoarseReadingsThatAgreeAreOfTheRecorder) {
