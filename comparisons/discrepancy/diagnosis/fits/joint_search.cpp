@@ -49,6 +49,8 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
     CalibrationResult other = search_at(problem, at_jumps, control);
     if (other.cost_after < best.cost_after) best = std::move(other);
   }
+  // Where the force rises smoothly slopes tell the start, and a further search gains nothing.
+  if (model.with_starts_at_jumps(best.values()) == best.values()) return best;
   return search_with_settled_starts(model, problem, std::move(best), control);
 }
 
@@ -56,7 +58,6 @@ CalibrationResult search_with_settled_starts(const JointModel& model, Calibratio
                                              CalibrationResult best, const RunControl& control) {
   constexpr int most_searches = 5;
   constexpr double worth_a_search = 6.0;  // of χ²
-  // Where the force rises smoothly slopes tell the start, and this ends at once.
   for (int count = 0; count < most_searches; ++count) {
     const std::vector<double> settled = model.with_settled_starts(best.values());
     if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
