@@ -207,8 +207,7 @@ std::vector<EffectSearch::Extension> EffectSearch::extensions(std::size_t count)
 }
 
 bool EffectSearch::is_tried(const EffectNames& names) const {
-  return std::any_of(selection_.tried.begin(), selection_.tried.end(),
-                     [&](const auto& one) { return names_of(one.fit.effects) == names; });
+  return fit_of(names) != nullptr;
 }
 
 }  // namespace rebound
