@@ -7,7 +7,8 @@ ContactSetup checked_setup(const LumpedProblem& problem) {
   return {.mass = problem.sphere.mass,
           .speed = problem.impact.speed,
           .separation = problem.impact.separation,
-          .relative_tolerance = problem.controls.relative_tolerance};
+          .relative_tolerance = problem.controls.relative_tolerance,
+          .most_steps = problem.controls.most_steps};
 }
 
 }  // namespace rebound

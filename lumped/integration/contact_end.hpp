@@ -10,6 +10,7 @@ struct ContactSetup {
   double speed = 0.0;  ///< approach speed [m/s]
   SeparationRule separation = SeparationRule::zero_force;
   double relative_tolerance = 1e-9;
+  int most_steps = 50'000;  ///< of a composed contact, by the fast integrator
 };
 
 /// State at separation, and the two integrals taken along the way.

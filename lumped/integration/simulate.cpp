@@ -8,6 +8,7 @@
 #include "lumped/integration/composed/composed_integrator.hpp"
 #include "lumped/integration/cvode/cvode_integrator.hpp"
 #include "lumped/integration/fast/fast_integrator.hpp"
+#include "lumped/integration/sample_instants.hpp"
 #include "lumped/laws/make_law.hpp"
 #include "lumped/problem/scalars.hpp"
 
@@ -37,7 +38,7 @@ LumpedResult simulate_composed(const LumpedProblem& problem) {
   const auto start = std::chrono::steady_clock::now();
   Integrator integrator(contact);
   const ComposedEnd end = integrator.integrate();
-  result.trace = integrator.sample(problem.controls.samples);
+  result.trace = integrator.sample(problem.controls);
   result.wall_seconds = seconds_since(start);
   result.scalars =
       derive_scalars(result.trace, problem.impact, end.time, -end.state[ComposedContact::velocity]);
@@ -55,7 +56,7 @@ LumpedResult simulate(const LumpedProblem& problem) {
   const auto start = std::chrono::steady_clock::now();
   CvodeIntegrator integrator(law, setup);
   const ContactEnd end = integrator.integrate();
-  result.trace = integrator.sample(end, problem.controls.samples);
+  result.trace = integrator.sample(end, problem.controls);
   result.wall_seconds = seconds_since(start);
   result.scalars = derive_scalars(result.trace, problem.impact, end.time, -end.velocity);
   result.closures = closures_of(law, setup, end);
@@ -67,7 +68,7 @@ LumpedResult simulate_fast(const LumpedProblem& problem) {
   const AnyLaw law = make_law(problem.model, problem.impact, problem.sphere);
   const ContactSetup setup = checked_setup(problem);
   LumpedResult result;
-  const auto samples = static_cast<std::size_t>(problem.controls.samples);
+  const std::size_t samples = sample_count(problem.controls);
   result.trace.time.resize(samples);
   result.trace.force.resize(samples);
   result.trace.deflection.resize(samples);
@@ -75,7 +76,7 @@ LumpedResult simulate_fast(const LumpedProblem& problem) {
   const ContactEnd end = visit_stateless(
       [&]<class Law>(const Law& l) {
         FastIntegrator<Law> integrator(l, setup);
-        integrator.integrate();
+        fill_sample_instants(integrator.integrate().time, problem.controls, result.trace.time);
         integrator.sample({result.trace.time, result.trace.force, result.trace.deflection});
         return integrator.end();
       },

@@ -53,6 +53,11 @@ struct LumpedModel {
 struct LumpedControls {
   double relative_tolerance = 1e-9;
   int samples = 401;  ///< equally spaced over the contact, both ends included
+  /// More of them where the contact begins and ends (lumped/integration/sample_instants).
+  bool finer_ends = false;
+  /// Steps of the fast integrator of composed contacts, those that are refused among them. A search
+  /// that strays to numbers beyond them does better to turn back than to wait.
+  int most_steps = 50'000;
 
   /// Fewer samples leave the parabola through the highest one a poor peak.
   static constexpr auto limits() {

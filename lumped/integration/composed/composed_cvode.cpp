@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lumped/integration/composed/composed_trace.hpp"
+#include "lumped/integration/sample_instants.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -98,11 +99,13 @@ const ComposedEnd& ComposedCvode::integrate() {
   throw contact_does_not_end();
 }
 
-Trace ComposedCvode::sample(int samples) {
-  TraceRecorder recorder(contact_, samples);
+Trace ComposedCvode::sample(const LumpedControls& controls) {
+  std::vector<double> instants(sample_count(controls));
+  fill_sample_instants(end_.time, controls, instants);
+  TraceRecorder recorder(contact_, instants.size());
+  instants.pop_back();  // the end has a state of its own
   std::size_t next = 0;
-  for (int i = 0; i + 1 < samples; ++i) {
-    const double instant = end_.time * i / (samples - 1);
+  for (const double instant : instants) {
     while (next < segments_.size() && segments_[next].start <= instant)
       begin(segments_[next++], false);
     if (instant > segments_[next - 1].start) solver_.advance(instant, "sampling the contact");

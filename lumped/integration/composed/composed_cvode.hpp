@@ -20,7 +20,7 @@ class ComposedCvode {
   explicit ComposedCvode(const ComposedContact& contact);
 
   const ComposedEnd& integrate();
-  Trace sample(int samples);
+  Trace sample(const LumpedControls& controls);
 
  private:
   using State = ComposedContact::State;

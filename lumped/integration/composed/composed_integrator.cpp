@@ -7,13 +7,12 @@
 #include <string>
 
 #include "lumped/integration/composed/composed_trace.hpp"
+#include "lumped/integration/sample_instants.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
 
 namespace {
-
-constexpr std::size_t most_attempts = 50'000;
 
 /// Turning, parting and touching again. Each is located by a score of trial steps, so that a
 /// contact that chatters would take a second, and a fit that strays there hours.
@@ -134,7 +133,7 @@ const ComposedEnd& ComposedIntegrator::integrate() {
   step_ends_count_.clear();
   double h = scales.time * std::pow(tolerance, 0.4);  // forces start with t^1.5
   int events = 0;
-  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < contact_.setup().most_steps; ++attempt) {
     Step step = step_of(start, h);
     const double error = error_norm(step);
     if (!std::isfinite(error)) {
@@ -165,11 +164,13 @@ const ComposedEnd& ComposedIntegrator::integrate() {
               "explicit method");
 }
 
-Trace ComposedIntegrator::sample(int samples) const {
-  TraceRecorder recorder(contact_, samples);
+Trace ComposedIntegrator::sample(const LumpedControls& controls) const {
+  std::vector<double> instants(sample_count(controls));
+  fill_sample_instants(end_.time, controls, instants);
+  TraceRecorder recorder(contact_, instants.size());
+  instants.pop_back();  // the end has a state of its own
   std::size_t k = 0;
-  for (int i = 0; i + 1 < samples; ++i) {
-    const double instant = end_.time * i / (samples - 1);
+  for (const double instant : instants) {
     while (k + 1 < step_ends_count_.size() && step_ends_count_[k + 1].time <= instant) ++k;
     const ComposedStepEnd& step_end = step_ends_count_[k];
     const double fraction = (instant - step_end.time) / step_end.length;

@@ -60,8 +60,8 @@ class ComposedIntegrator {
 
   const ComposedEnd& integrate();
 
-  /// Equally spaced instants of [0, contact time], both ends included.
-  Trace sample(int samples) const;
+  /// At the instants of fill_sample_instants().
+  Trace sample(const LumpedControls& controls) const;
 
   const std::vector<ComposedStepEnd>& step_ends() const { return step_ends_count_; }
 

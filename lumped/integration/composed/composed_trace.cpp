@@ -2,8 +2,7 @@
 
 namespace rebound {
 
-TraceRecorder::TraceRecorder(const ComposedContact& contact, int samples) : contact_(contact) {
-  const auto size = static_cast<std::size_t>(samples);
+TraceRecorder::TraceRecorder(const ComposedContact& contact, std::size_t size) : contact_(contact) {
   trace_.time.reserve(size);
   trace_.force.reserve(size);
   trace_.deflection.reserve(size);

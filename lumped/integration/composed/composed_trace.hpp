@@ -10,7 +10,7 @@ namespace rebound {
 /// contact force beside what the load cell reads, and the plate's displacement.
 class TraceRecorder {
  public:
-  TraceRecorder(const ComposedContact& contact, int samples);
+  TraceRecorder(const ComposedContact& contact, std::size_t samples);
   void record(double time, const ContactPhase& phase, const ComposedContact::State& state);
   Trace take() { return std::move(trace_); }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lumped/integration/sample_instants.hpp"
+
 namespace rebound {
 
 namespace {
@@ -62,7 +64,9 @@ ContactEnd CvodeIntegrator::integrate() {
   return end;
 }
 
-Trace CvodeIntegrator::sample(const ContactEnd& end, int samples) {
+Trace CvodeIntegrator::sample(const ContactEnd& end, const LumpedControls& controls) {
+  std::vector<double> instants(sample_count(controls));
+  fill_sample_instants(end.time, controls, instants);
   reset();
   solver_.restart(0.0);
   Trace trace;
@@ -72,10 +76,9 @@ Trace CvodeIntegrator::sample(const ContactEnd& end, int samples) {
     trace.deflection.push_back(solver_.state()[ContactSystem::deflection]);
   };
   record(0.0);
-  for (int i = 1; i + 1 < samples; ++i) {
-    const double instant = end.time * i / (samples - 1);
-    solver_.advance(instant, "sampling the contact");
-    record(instant);
+  for (std::size_t i = 1; i + 1 < instants.size(); ++i) {
+    solver_.advance(instants[i], "sampling the contact");
+    record(instants[i]);
   }
   solver_.state()[ContactSystem::deflection] = end.deflection;
   solver_.state()[ContactSystem::velocity] = end.velocity;

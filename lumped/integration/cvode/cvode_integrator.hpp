@@ -26,9 +26,8 @@ class CvodeIntegrator {
 
   ContactEnd integrate();
 
-  /// Repeats the run up to `end` and records `samples` equally spaced
-  /// instants of [0, end.time], both ends included.
-  Trace sample(const ContactEnd& end, int samples);
+  /// Repeats the run up to `end` and records the instants of fill_sample_instants().
+  Trace sample(const ContactEnd& end, const LumpedControls& controls);
 
  private:
   void reset();

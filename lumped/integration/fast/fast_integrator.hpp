@@ -18,7 +18,7 @@ namespace rebound {
 
 /// Where samples of a trace are written.
 struct SampleView {
-  std::span<double> time;        ///< [s]
+  std::span<const double> time;  ///< when [s]
   std::span<double> force;       ///< [N]
   std::span<double> deflection;  ///< [m]
 };
@@ -76,8 +76,8 @@ class FastIntegrator {
 
   const ContactEnd& integrate();
 
-  /// Fills the samples: equally spaced instants of [0, contact time], both
-  /// ends included. Call after integrate(); all columns of one size ≥ 2.
+  /// Fills the samples at their instants, which increase from 0 to the contact time, both
+  /// included. Call after integrate(); all columns of one size ≥ 2.
   void sample(const SampleView& samples) const;
 
   const ContactEnd& end() const { return end_; }
@@ -142,9 +142,6 @@ class FastIntegrator {
   double step_to_separation(const Values& y, const Slope& slope, const Step& beyond, double h);
   void keep(const Values& y, double time, const Slope& slope, double step);
   void finish(const Step& step, const ContactEnd& before);
-  double instant(std::size_t i, std::size_t samples) const {
-    return end_.time * static_cast<double>(i) / static_cast<double>(samples - 1);
-  }
   void sample_directly(const StepEnd& left, const StepEnd& right, bool opening, std::size_t from,
                        std::size_t to, const SampleView& samples) const;
   void sample_near_end(const StepEnd& left, const StepEnd& right, std::size_t from, std::size_t to,

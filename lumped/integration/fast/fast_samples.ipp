@@ -1,6 +1,6 @@
 #pragma once
 
-// Samples of FastIntegrator at equally spaced instants.
+// Samples of FastIntegrator at given instants.
 //
 // In w = √t up to the turning point and w = √(T − t) after it, u is as smooth as in τ, where
 // x(t) itself has half-integer powers: u follows from one polynomial, without inverting t(τ).
@@ -79,9 +79,7 @@ void FastIntegrator<Law, Width>::sample_near_end(const StepEnd& left, const Step
 
 template <ContactLaw Law, std::size_t Width>
 void FastIntegrator<Law, Width>::sample(const SampleView& samples) const {
-  const std::size_t count = samples.time.size(), last = count - 1;
-  const double spacing = end_.time / static_cast<double>(last);
-  for (std::size_t i = 0; i < last; ++i) samples.time[i] = instant(i, count);
+  const std::size_t last = samples.time.size() - 1;
   // T − t of a step_end shortly before the end has lost digits, and u_ww two powers of u more.
   const double clear = 2.0 * u_scale_ * std::pow(1e-16 / setup_.relative_tolerance, 0.25);
   samples.deflection[0] = 0.0;
@@ -91,8 +89,11 @@ void FastIntegrator<Law, Width>::sample(const SampleView& samples) const {
     const StepEnd &left = step_ends_[k], &right = step_ends_[k + 1];
     std::size_t to = last;
     if (k + 2 < step_ends_count_) {
-      to = std::min(last, static_cast<std::size_t>(right.t / spacing) + 1);
-      while (to > from && samples.time[to - 1] > right.t) --to;
+      const auto first = samples.time.begin();
+      to = static_cast<std::size_t>(std::upper_bound(first + static_cast<std::ptrdiff_t>(from),
+                                                     first + static_cast<std::ptrdiff_t>(last),
+                                                     right.t) -
+                                    first);
     }
     const bool opening = left.v <= 0.0 || k + 2 == step_ends_count_;
     const bool blurred = left.u < clear || (right.u > 0.0 && right.u < clear);
@@ -102,7 +103,6 @@ void FastIntegrator<Law, Width>::sample(const SampleView& samples) const {
       sample_directly(left, right, opening, from, to, samples);
     from = to;
   }
-  samples.time[last] = end_.time;
   samples.deflection[last] = end_.deflection;
   samples.force[last] = law_.force(end_.deflection, end_.velocity);
 }

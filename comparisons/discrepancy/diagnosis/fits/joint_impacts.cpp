@@ -3,7 +3,6 @@
 
 #include "comparisons/discrepancy/diagnosis/fits/joint_model.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
-#include "comparisons/models/instrument/contact_ends.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "lumped/laws/make_law.hpp"
@@ -12,17 +11,17 @@
 namespace rebound {
 namespace {
 
-constexpr LumpedControls impact_controls{.relative_tolerance = 1e-7, .samples = 201};
+constexpr LumpedControls impact_controls{
+    .relative_tolerance = 1e-7, .samples = 201, .finer_ends = true, .most_steps = 4000};
 constexpr int samples_of_two_masses = 801;  // their faster swing is a thirtieth of a contact
 constexpr std::size_t most_kept = 256;      // impacts a shot
 
 /// No impact where numbers that a search tries are outside what a problem may have.
 ModelledImpact run_lumped(const LumpedProblem& problem) try {
   LumpedResult result = simulate_fast(problem);
-  const Plate& plate = problem.model.mechanisms.plate;
-  return {.trace = plate.moves() ? std::move(result.trace) : with_finer_ends(result.trace),
+  return {.trace = std::move(result.trace),
           .scalars = result.scalars,
-          .plate = plate};
+          .plate = problem.model.mechanisms.plate};
 } catch (const Error& error) {
   if (error.code() != ExitCode::bad_input) throw;
   throw Error(ExitCode::solver_failed, error.what());

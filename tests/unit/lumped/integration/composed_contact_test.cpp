@@ -29,7 +29,7 @@ TEST(ComposedContactTest, NothingIsTheBareLaw) {
         EXPECT_NEAR(end.time / bare.scalars.contact_time, 1.0, 1e-6);
         EXPECT_NEAR(-end.state[ComposedContact::velocity], bare.scalars.rebound_speed, 1e-5);
       }
-      const Trace trace = fast.sample(problem.controls.samples);
+      const Trace trace = fast.sample(problem.controls);
       EXPECT_TRUE(trace.further.empty());
       for (std::size_t i = 0; i < trace.time.size(); ++i)
         EXPECT_NEAR(trace.force[i], bare.trace.force[i], 1e-5 * bare.scalars.peak_force);

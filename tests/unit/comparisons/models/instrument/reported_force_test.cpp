@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lumped/integration/sample_instants.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -23,6 +24,31 @@ Trace half_sine() {
 TEST(ReportedForceTest, IdealChainChangesNothing) {
   const Trace contact = half_sine();
   EXPECT_EQ(reported_force(contact, {}, contact.time), contact.force);
+}
+
+/// Largest error of what is read of t^power, over its value at the end, from a twentieth of an even
+/// step on.
+double error_of_power(double power, bool finer_ends) {
+  const LumpedControls controls{.samples = 201, .finer_ends = finer_ends};
+  Trace contact;
+  contact.time.resize(sample_count(controls));
+  fill_sample_instants(2e-3, controls, contact.time);
+  const auto force = [&](double t) { return std::pow(t / 2e-3, power); };
+  for (const double t : contact.time) contact.force.push_back(force(t));
+  std::vector<double> between;
+  for (double t = 5e-7; t < 2e-3; t += 1.3e-7) between.push_back(t);
+  const std::vector<double> read = reported_force(contact, {}, between);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < between.size(); ++i)
+    worst = std::max(worst, std::abs(read[i] - force(between[i])));
+  return worst;
+}
+
+// Hertz, a plate that yields, a dashpot's rise, and Tsuji's damper.
+TEST(ReportedForceTest, FinerEndsFollowAnyPower) {
+  for (const double power : {2.5, 1.5, 1.0, 0.25})
+    EXPECT_LT(error_of_power(power, true), 2e-4) << power;
+  EXPECT_GT(error_of_power(0.25, false), 1e-2);
 }
 
 TEST(ReportedForceTest, BetweenSamplesItIsCubic) {
