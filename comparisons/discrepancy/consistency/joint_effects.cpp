@@ -5,6 +5,7 @@
 
 #include "comparisons/discrepancy/consistency/joint_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 
 namespace rebound {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -12,6 +12,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/weak_effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/slow_comparisons.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"

@@ -8,6 +8,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/data_checks/data_checks.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 #include "comparisons/discrepancy/diagnosis/next_experiment/next_experiment.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/measured_design.hpp"

@@ -4,6 +4,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/plates_of_lumped.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/believed_fit.hpp"
 #include "lumped/problem/error.hpp"

@@ -8,6 +8,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/model_discrepancy.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/each_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "lumped/problem/error.hpp"
 

@@ -6,6 +6,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/first_order_of_balls.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/diagnosis.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 
 namespace rebound {
 

@@ -75,6 +75,20 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
       fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
 }
 
+/// The search that suits the noise, and the better of two where both may.
+CalibrationResult searched(const Observations& seen, const JointModel& model,
+                           CalibrationProblem& problem, SearchEffort effort,
+                           const RunControl& control) {
+  std::vector<Observations> stages = with_white_noise_beside(seen, model.hypothesis());
+  const bool looks_first = effort == SearchEffort::first_look;
+  if (looks_first && !stages.empty()) stages.resize(1);
+  auto by_stages = search_by_stages(stages, model, problem, control);
+  if (by_stages && !looks_first && acts_at_first_touch_alone(model.hypothesis())) return *by_stages;
+  CalibrationResult found = search_joint_model(model, problem, control);
+  if (by_stages && by_stages->cost_after < found.cost_after) return *by_stages;
+  return found;
+}
+
 HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
                        const HypothesisFit* near, SearchEffort effort, const RunControl& control) {
   HypothesisFit fit;
@@ -89,10 +103,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   if (problem.parameters.empty()) {
     fit.residuals = model->residuals({});
   } else {
-    const CalibrationProblem begun = problem;
-    fit.search = search_joint_model(*model, problem, control);
-    auto other = search_by_white_noise(seen, *model, begun, control);
-    if (other && other->cost_after < fit.search.cost_after) fit.search = std::move(*other);
+    fit.search = searched(seen, *model, problem, effort, control);
     fit.values = fit.search.values();
     fit.residuals = model->residuals(fit.values);
   }
@@ -111,28 +122,7 @@ HypothesisFit fit_from(const Observations& seen, const Hypothesis& hypothesis,
   return fit;
 }
 
-std::vector<ShotGap> shot_by_shot(const JointModel& model, const std::vector<double>& residuals) {
-  std::vector<ShotGap> gaps;
-  for (std::size_t i = 0; i < model.rows().size(); ++i) {
-    gaps.resize(std::max(gaps.size(), model.rows()[i].shot + 1));
-    ShotGap& gap = gaps[model.rows()[i].shot];
-    ++gap.rows;
-    gap.reduced_chi_square += residuals[i] * residuals[i];
-  }
-  for (ShotGap& gap : gaps)
-    if (gap.rows > 0) gap.reduced_chi_square /= gap.rows;
-  return gaps;
-}
-
 }  // namespace
-
-double ShotGap::deviation() const {
-  return rows > 0 ? std::sqrt(2.0 / rows) : 0.0;
-}
-
-std::vector<ShotGap> gaps_of_shots(const HypothesisFit& fit) {
-  return shot_by_shot(*fit.model, fit.residuals);
-}
 
 std::vector<std::string> added_effects(const HypothesisFit& fit, std::size_t known) {
   std::vector<std::string> names;
@@ -182,50 +172,6 @@ HypothesisFit fit_further(const Observations& seen, const HypothesisFit& fit,
   Hypothesis hypothesis = fit.hypothesis;
   hypothesis.effects = fit.effects;
   return fit_from(seen, hypothesis, &fit, SearchEffort::whole, control);
-}
-
-HeldOutGap predict_unseen(const Observations& unseen, const HypothesisFit& fit) {
-  Hypothesis hypothesis = fit.hypothesis;
-  hypothesis.effects = fit.effects;
-  const JointModel model(unseen, hypothesis);
-  std::vector<double> values = values_from(fit, model);
-  const std::vector<double> unseen_starts = model.start();
-  const auto& own = model.shot_nuisances();
-  for (const std::size_t index : own) values[index] = unseen_starts[index];
-  values = model.with_settled_starts(std::move(values));
-  if (!own.empty()) {
-    CalibrationProblem problem;
-    for (const std::size_t index : own) {
-      problem.parameters.push_back(model.unknowns()[index]);
-      problem.parameters.back().start = values[index];
-    }
-    // Priors are among the residuals, those of what stays as fitted too.
-    for (CalibrationParameter& unknown : problem.parameters) unknown.prior.reset();
-    problem.residuals = [&](const std::vector<double>& free) {
-      std::vector<double> all = values;
-      for (std::size_t k = 0; k < own.size(); ++k) all[own[k]] = free[k];
-      return model.residuals(all);
-    };
-    problem.noise = NoiseKnowledge::known;
-    problem.controls = search_controls(model);
-    const CalibrationResult found = calibrate(problem);
-    for (std::size_t k = 0; k < own.size(); ++k) values[own[k]] = found.estimates[k].value;
-  }
-  const std::vector<double> residuals = model.residuals(values);
-  HeldOutGap gap;
-  const std::size_t data = model.rows().size();
-  gap.deviation = std::sqrt(2.0 / static_cast<double>(data));
-  // Noise that was estimated has an error of its own.
-  if (unseen.noise_freedom > 0.0)
-    gap.deviation = std::hypot(gap.deviation, std::sqrt(2.0 / unseen.noise_freedom));
-  for (std::size_t i = 0; i < data; ++i) gap.chi_square += residuals[i] * residuals[i];
-  gap.reduced_chi_square = gap.chi_square / static_cast<double>(data);
-  gap.of_shots = shot_by_shot(model, residuals);
-  for (std::size_t i = 0; i < unseen.shots.size(); ++i)
-    gap.force.push_back(unseen.shots[i].has_history()
-                            ? model.force_at(values, i, unseen.shots[i].trace.time)
-                            : std::vector<double>{});
-  return gap;
 }
 
 Eigen::MatrixXd jacobian_at(const JointModel& model, const std::vector<double>& values) {

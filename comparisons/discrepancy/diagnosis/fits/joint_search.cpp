@@ -10,11 +10,6 @@
 namespace rebound {
 namespace {
 
-double left_of(const JointModel& model, const std::vector<double>& values) {
-  const std::vector<double> residuals = model.residuals(values);
-  return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
-}
-
 CalibrationResult search_at(CalibrationProblem& problem, const std::vector<double>& start,
                             const RunControl& control) {
   start_at(start, problem);
@@ -22,6 +17,11 @@ CalibrationResult search_at(CalibrationProblem& problem, const std::vector<doubl
 }
 
 }  // namespace
+
+double left_of(const JointModel& model, const std::vector<double>& values) {
+  const std::vector<double> residuals = model.residuals(values);
+  return std::inner_product(residuals.begin(), residuals.end(), residuals.begin(), 0.0);
+}
 
 void start_at(const std::vector<double>& values, CalibrationProblem& problem) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -57,10 +57,9 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
 CalibrationResult search_with_settled_starts(const JointModel& model, CalibrationProblem& problem,
                                              CalibrationResult best, const RunControl& control) {
   constexpr int most_searches = 5;
-  constexpr double worth_a_search = 6.0;  // of χ²
   for (int count = 0; count < most_searches; ++count) {
     const std::vector<double> settled = model.with_settled_starts(best.values());
-    if (left_of(model, settled) > left_of(model, best.values()) - worth_a_search) break;
+    if (left_of(model, settled) > left_of(model, best.values()) - least_gain_of_a_search) break;
     best = search_at(problem, settled, control);
   }
   return best;

@@ -8,6 +8,12 @@
 
 namespace rebound {
 
+/// χ² over data and priors, Σ r².
+double left_of(const JointModel& model, const std::vector<double>& values);
+
+/// What other starts of records must gain for a further search [of χ²].
+inline constexpr double least_gain_of_a_search = 6.0;
+
 /// The problem's unknowns start at these values, or at the bound that is next to them: a search may
 /// end a rounding error beyond one.
 void start_at(const std::vector<double>& values, CalibrationProblem& problem);

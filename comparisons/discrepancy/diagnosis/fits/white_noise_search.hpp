@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "comparisons/discrepancy/diagnosis/fits/joint_model.hpp"
 #include "comparisons/inference/calibration/calibration_problem.hpp"
@@ -8,20 +9,32 @@
 
 namespace rebound {
 
-/// A search that begins where the same model fits best with noise that is taken as white. Once the
-/// colour of smooth noise is taken out, a rise within a few samples is nearly all that a record
-/// says, and a search by slopes never leaves a record that starts a sample too early.
+/// Do all effects act at first touch? A ring of high frequency is told by the colour of the noise,
+/// and must be searched with it from the beginning.
+bool acts_at_first_touch_alone(const Hypothesis& hypothesis);
+
+/// The same shots with less and less white noise beside theirs: nothing else, a tenth of the
+/// variance, a hundredth. What is not more than the past of the noise leaves open is left out.
+/// Empty where noise is white, where no effect acts at first touch, and in FE.
+std::vector<Observations> with_white_noise_beside(const Observations& seen,
+                                                  const Hypothesis& hypothesis);
+
+/// A search that begins where the same model fits best under the noise of the first stage, and goes
+/// on stage by stage to its own. Once the colour of smooth noise is taken out, a rise within a few
+/// samples is nearly all that a record says, and a search by slopes never leaves a record that
+/// starts a sample too early.
 ///
-///   seen    what the model was made of
+///   stages  as with_white_noise_beside(), or the first of them
 ///
-/// Nothing where noise is white, where no effect acts at first touch (families rate and surface),
-/// in FE, and where the search ends at no impact.
+/// Nothing without a stage, where the search ends at no impact, and where no numbers come near the
+/// data.
 /// Limit:  a damper that rises within a few samples is found from nothing
-///         -> test SettledStartsTest.AreTakenAlongWhereTheForceIsSteep
+///         -> test SettledStartsTest.AreTakenAlongWhereTheForceIsSteep, also under the noise of a
+///         filter -> test SettledStartsTest.AreTakenAlongByLessAndLessWhiteNoise
 /// Errors: as calibrate(), but for impacts without an answer.
-std::optional<CalibrationResult> search_by_white_noise(const Observations& seen,
-                                                       const JointModel& model,
-                                                       CalibrationProblem problem,
-                                                       const RunControl& control);
+std::optional<CalibrationResult> search_by_stages(const std::vector<Observations>& stages,
+                                                  const JointModel& model,
+                                                  CalibrationProblem problem,
+                                                  const RunControl& control);
 
 }  // namespace rebound

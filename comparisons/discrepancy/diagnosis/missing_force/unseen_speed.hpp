@@ -1,5 +1,6 @@
 #pragma once
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/force_rows.hpp"
 #include "comparisons/discrepancy/diagnosis/missing_force/missing_force.hpp"
 

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
+
 namespace rebound {
 namespace {
 

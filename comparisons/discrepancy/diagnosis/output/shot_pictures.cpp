@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/output/residual_pictures.hpp"
 
 namespace rebound {

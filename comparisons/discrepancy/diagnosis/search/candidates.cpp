@@ -78,7 +78,12 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
   std::vector<std::size_t> members;
   for (std::size_t i = 0; i < tried.size(); ++i)
     if (tried[i].adequate && within_reach(tried[i], best, reach)) members.push_back(i);
-  std::vector<std::size_t> minimal;
+  return smallest_of(tried, members);
+}
+
+std::vector<std::size_t> smallest_of(const std::vector<AssessedFit>& tried,
+                                     const std::vector<std::size_t>& members) {
+  std::vector<std::size_t> smallest;
   for (const std::size_t i : members) {
     const EffectNames own = names_of(tried[i].fit.effects);
     const bool needs_not_all = std::any_of(members.begin(), members.end(), [&](std::size_t j) {
@@ -89,9 +94,9 @@ std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>
               std::includes(own.begin(), own.end(), other.begin(), other.end())) ||
              frees_formulas_of(tried[i].fit, tried[j].fit);
     });
-    if (!needs_not_all) minimal.push_back(i);
+    if (!needs_not_all) smallest.push_back(i);
   }
-  return minimal;
+  return smallest;
 }
 
 bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::size_t>& members,
@@ -104,10 +109,11 @@ bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::
 
 const AssessedFit* leader_over_adequate(const std::vector<AssessedFit>& tried, double reach,
                                         double smallest_p) {
-  const double best = best_of(tried).information;
+  const Criteria best = best_of(tried);
   const AssessedFit* leader = nullptr;
   for (const AssessedFit& one : tried)
-    if (one.p_value > smallest_p && one.information_criterion() < best - reach &&
+    if (one.p_value > smallest_p && one.information_criterion() < best.information - reach &&
+        one.prediction_criterion() < best.prediction &&
         (!leader || one.information_criterion() < leader->information_criterion()))
       leader = &one;
   return leader;

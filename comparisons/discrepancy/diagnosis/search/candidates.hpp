@@ -19,6 +19,11 @@ void judge_candidates(std::vector<AssessedFit>& tried, double reach,
 std::vector<std::size_t> indistinguishable_models(const std::vector<AssessedFit>& tried,
                                                   double reach);
 
+/// Those of `members` that hold no smaller set of theirs, and no free curve in place of a formula
+/// of theirs.
+std::vector<std::size_t> smallest_of(const std::vector<AssessedFit>& tried,
+                                     const std::vector<std::size_t>& members);
+
 /// May a search end with these candidates? Not with none, and not with single curves alone that
 /// leave what noise does not: a curve bends to most of what two effects do together.
 bool may_end_with(const std::vector<AssessedFit>& tried, const std::vector<std::size_t>& members,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
 #include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
@@ -102,7 +103,12 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
     deny_other_families_than_leader(selection.tried, known, rules.close_criterion,
                                     rules.smallest_adequate_p, selection.indistinguishable);
     if (unseen.shots && !selection.indistinguishable.empty())
-      choose_with_unseen_speed(*unseen.shots, rules, selection);
+      choose_with_unseen_speed(
+          *unseen.shots, rules,
+          [&](AssessedFit& one) {
+            judge_candidate(seen, effects, rules, seed, selection.baseline, one);
+          },
+          selection);
     selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
   }
   if (selection.baseline.adequate) {

@@ -1,8 +1,10 @@
 #include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
@@ -18,6 +20,54 @@ double chi_square_unseen(const Observations& unseen, const HypothesisFit& fit) {
     if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
     return std::numeric_limits<double>::infinity();
   }
+}
+
+void ask(const Observations& unseen, const std::vector<AssessedFit*>& fits) {
+  in_parallel(fits.size(), [&](std::size_t k) {
+    fits[k]->unseen_chi_square = chi_square_unseen(unseen, fits[k]->fit);
+  });
+}
+
+/// Do all candidates leave at the unseen speed what chance leaves once in a thousand?
+bool all_leave_a_gap(const Observations& unseen, const EffectSelection& selection) {
+  constexpr double deviations = 3.0;
+  return std::all_of(selection.indistinguishable.begin(), selection.indistinguishable.end(),
+                     [&](std::size_t i) {
+                       const AssessedFit& one = selection.tried[i];
+                       if (!std::isfinite(*one.unseen_chi_square)) return true;
+                       const HeldOutGap gap = predict_unseen(unseen, one.fit);
+                       return gap.reduced_chi_square - 1.0 > deviations * gap.deviation;
+                     });
+}
+
+/// All other fits whose χ² noise could make, where they are adequate and within reach of the
+/// candidates once the unseen speed counts.
+void add_what_predicts_better(const Observations& unseen, const SelectionRules& rules,
+                              const std::function<void(AssessedFit&)>& judge,
+                              EffectSelection& selection) {
+  auto& members = selection.indistinguishable;
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : members)
+    best = std::min(best, selection.tried[i].information_criterion());
+  std::vector<std::size_t> others;
+  std::vector<AssessedFit*> asked;
+  for (std::size_t i = 0; i < selection.tried.size(); ++i) {
+    AssessedFit& one = selection.tried[i];
+    const bool is_refused = one.judged && !one.adequate;
+    if (one.unseen_chi_square || is_refused || one.p_value <= rules.smallest_adequate_p) continue;
+    others.push_back(i);
+    asked.push_back(&one);
+  }
+  ask(unseen, asked);
+  for (const std::size_t i : others) {
+    AssessedFit& one = selection.tried[i];
+    if (one.information_criterion() > best + rules.close_criterion) continue;
+    if (!one.judged) judge(one);
+    if (!one.adequate) continue;
+    members.push_back(i);
+    best = std::min(best, one.information_criterion());
+  }
+  members = smallest_of(selection.tried, members);
 }
 
 }  // namespace
@@ -48,15 +98,17 @@ bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
 }
 
 void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& rules,
+                              const std::function<void(AssessedFit&)>& judge,
                               EffectSelection& selection) {
+  auto& members = selection.indistinguishable;
   std::vector<AssessedFit*> predicting{&selection.baseline};
-  for (const std::size_t i : selection.indistinguishable) predicting.push_back(&selection.tried[i]);
-  in_parallel(predicting.size(), [&](std::size_t k) {
-    predicting[k]->unseen_chi_square = chi_square_unseen(unseen, predicting[k]->fit);
-  });
-  keep_within_reach(selection.tried, rules.close_criterion, selection.indistinguishable);
-  for (AssessedFit* one : predicting) one->unseen_denies = one != &selection.baseline;
-  for (const std::size_t i : selection.indistinguishable) selection.tried[i].unseen_denies = false;
+  for (const std::size_t i : members) predicting.push_back(&selection.tried[i]);
+  ask(unseen, predicting);
+  const std::vector<std::size_t> before = members;
+  if (all_leave_a_gap(unseen, selection)) add_what_predicts_better(unseen, rules, judge, selection);
+  keep_within_reach(selection.tried, rules.close_criterion, members);
+  for (const std::size_t i : before) selection.tried[i].unseen_denies = true;
+  for (const std::size_t i : members) selection.tried[i].unseen_denies = false;
 }
 
 }  // namespace rebound

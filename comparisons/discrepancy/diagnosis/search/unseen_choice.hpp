@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/search/selection.hpp"
 
 /// What a speed that no fit saw says of the choice between fits.
@@ -26,10 +28,14 @@ bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
 ///   χ²ᵤ  of the prediction, start of contact and speed of each shot within their priors
 ///
 /// What is then beyond reach of the best by χ² + k ln N + χ²ᵤ and by χ² + 2 k + χ²ᵤ is a candidate
-/// no longer. The best by the first comes first.
-/// Limit:  where all predict alike, nothing leaves -> test
-///         UnseenChoiceTest.WhatPredictsAlikeStays.
+/// no longer. The best by the first comes first. Where every candidate leaves a gap there that is
+/// no chance, all other fits whose χ² noise could make are asked as well, and those within reach
+/// are looked at by `judge`: a curve of many numbers is right where a formula of few predicts
+/// wrongly. Limit:  where all predict alike, nothing leaves -> test
+///         UnseenChoiceTest.WhatPredictsAlikeStays; what predicts rightly takes the place of what
+///         does not -> test UnseenChoiceTest.WhatPredictsRightlyIsLookedAt.
 void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& rules,
+                              const std::function<void(AssessedFit&)>& judge,
                               EffectSelection& selection);
 
 }  // namespace rebound

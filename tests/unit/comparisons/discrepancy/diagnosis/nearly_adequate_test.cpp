@@ -103,6 +103,14 @@ TEST(LeaderTest, IsNoneWithinReach) {
             nullptr);
 }
 
+// Few numbers make a leader by ln N of all samples that what is adequate, with more, outdoes.
+TEST(LeaderTest, IsNoneThatPredictsNoBetter) {
+  auto tried = leader_and_adequate("damping-curves", 12.0, 0.17);
+  EXPECT_EQ(leader_over_adequate(tried, 6.0, 1e-3), &tried[0]);
+  tried[1].fit.prediction_criterion = 990.0;
+  EXPECT_EQ(leader_over_adequate(tried, 6.0, 1e-3), nullptr);
+}
+
 TEST(LeaderTest, IsNoneThatItsOwnChiSquareRefuses) {
   EXPECT_EQ(leader_over_adequate(leader_and_adequate("damping-curves", 124.0, 1e-4), 6.0, 1e-3),
             nullptr);

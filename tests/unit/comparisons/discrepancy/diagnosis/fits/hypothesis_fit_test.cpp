@@ -1,5 +1,6 @@
 // What the numbers of a fit cost.
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 
 #include <gtest/gtest.h>
 

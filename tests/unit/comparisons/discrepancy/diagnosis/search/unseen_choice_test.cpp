@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
@@ -39,6 +40,52 @@ TEST(UnseenChoiceTest, WhatPredictsPlainlyWorseLeaves) {
   Members members{0, 1, 2};
   keep_within_reach(tried, reach, members);
   EXPECT_EQ(members, (Members{2, 0}));
+}
+
+const EffectChoice dashpot{"linear-dashpot", 60.0, {}};
+
+/// A candidate that leads by 30 in what both were fitted to, and the right effect behind it.
+struct UnseenChoice {
+  EffectSelection selection;
+  int looked_at = 0;  ///< of the others
+
+  explicit UnseenChoice(const EffectChoice& candidate) {
+    SynthesisFile file = testing::experiment_with({dashpot}, 4);
+    file.shots.push_back({.speed = 10.0, .speed_uncertainty = 0.04});
+    const PartedShots parts =
+        part_at(observe({testing::measured_data(file)}), SpeedCluster{.speed = 10.0, .shots = {3}});
+    selection.baseline.fit = fit_hypothesis(parts.seen, {.believed = testing::believed_law()});
+    for (const EffectChoice& start : {candidate, dashpot}) {
+      AssessedFit one;
+      one.fit = fit_extended(parts.seen, selection.baseline.fit, {start}, SearchEffort::whole);
+      one.p_value = 0.5;
+      selection.tried.push_back(std::move(one));
+    }
+    AssessedFit& leader = selection.tried[0];
+    leader.fit.information_criterion = selection.tried[1].fit.information_criterion - 30.0;
+    leader.fit.prediction_criterion = selection.tried[1].fit.prediction_criterion - 30.0;
+    leader.judged = leader.adequate = true;
+    selection.indistinguishable = {0};
+    const auto accept = [&](AssessedFit& one) {
+      ++looked_at;
+      one.judged = one.adequate = true;
+    };
+    choose_with_unseen_speed(parts.unseen, {}, accept, selection);
+  }
+};
+
+TEST(UnseenChoiceTest, WhatPredictsRightlyIsLookedAt) {
+  const UnseenChoice wrong({"foam-softening", 0.1, {}});
+  EXPECT_EQ(wrong.looked_at, 1);
+  EXPECT_EQ(wrong.selection.indistinguishable, (Members{1}));
+  EXPECT_TRUE(wrong.selection.tried[0].unseen_denies);
+  EXPECT_FALSE(wrong.selection.tried[1].unseen_denies);
+}
+
+TEST(UnseenChoiceTest, NothingElseIsAskedWhereACandidatePredictsRightly) {
+  const UnseenChoice right(dashpot);
+  EXPECT_EQ(right.looked_at, 0);
+  EXPECT_EQ(right.selection.indistinguishable, (Members{0}));
 }
 
 Observations two_speeds_of(const Observations& all) {
