@@ -42,13 +42,8 @@ struct Hidden {
 
 class HiddenEffect : public ::testing::TestWithParam<Hidden> {};
 
-TEST_P(HiddenEffect, IsNamedAndTheGapShrinksOnTheUnseenSpeed) {
-  const EffectChoice& hidden = GetParam().effect;
-  // The noise of seeds 7 and 8 holds an oscillation at the 2 % level, which a search takes up as
-  // hum or burst beside the effect: two false alarms of those that the level allows.
-  const Diagnosis d = diagnose_hidden(experiment_with({hidden}, 9));
-  ASSERT_EQ(d.verdict, DiagnosisVerdict::missing);
-  ASSERT_EQ(d.effects.size(), 1u);
+/// What a name that stands alone must come with.
+void expect_gap_closed_by(const EffectChoice& hidden, const Diagnosis& d) {
   EXPECT_EQ(d.effects[0].effect.name, hidden.name);
   // Twice the 95 % interval: one seed is one draw.
   const NumberWithInterval& size = d.effects[0].size;
@@ -59,6 +54,24 @@ TEST_P(HiddenEffect, IsNamedAndTheGapShrinksOnTheUnseenSpeed) {
   EXPECT_LT(*d.gap.held_out_after, 1.2);
   EXPECT_LT(*d.gap.held_out_after, *d.gap.held_out_before);
   EXPECT_FALSE(d.where.empty());
+}
+
+// Its name is in the answer whatever the noise, and alone in most: noise that holds a pattern at
+// the 2 % level is taken up by a fault beside it, and a small exponent may be one of several
+// shapes.
+TEST_P(HiddenEffect, IsNamedAndTheGapShrinksOnTheUnseenSpeed) {
+  const EffectChoice& hidden = GetParam().effect;
+  int alone = 0;
+  constexpr int first = 7, seeds = 8;
+  for (int seed = first; seed < first + seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const Diagnosis d = diagnose_hidden(experiment_with({hidden}, seed));
+    EXPECT_TRUE(contains(d.candidates, hidden.name));
+    if (d.verdict != DiagnosisVerdict::missing || d.effects.size() != 1) continue;
+    ++alone;
+    expect_gap_closed_by(hidden, d);
+  }
+  EXPECT_GE(alone, 5);
 }
 
 TEST(DiagnoseTest, AChoiceThatRepetitionWouldNotMakeAgainCarriesNoName) {
