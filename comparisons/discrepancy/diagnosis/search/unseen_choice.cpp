@@ -1,7 +1,6 @@
 #include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
@@ -12,32 +11,34 @@
 namespace rebound {
 namespace {
 
-/// Infinite where the model has no impact at that speed.
-double chi_square_unseen(const Observations& unseen, const HypothesisFit& fit) {
+/// Nothing where the model has no impact at that speed.
+std::optional<HeldOutGap> gap_unseen(const Observations& unseen, const HypothesisFit& fit) {
   try {
-    return predict_unseen(unseen, fit).chi_square;
+    return predict_unseen(unseen, fit);
   } catch (const Error& error) {
     if (error.code() != ExitCode::solver_failed && error.code() != ExitCode::bad_input) throw;
-    return std::numeric_limits<double>::infinity();
+    return std::nullopt;
   }
 }
 
-void ask(const Observations& unseen, const std::vector<AssessedFit*>& fits) {
+using Gaps = std::vector<std::optional<HeldOutGap>>;
+
+Gaps ask(const Observations& unseen, const std::vector<AssessedFit*>& fits) {
+  Gaps gaps(fits.size());
   in_parallel(fits.size(), [&](std::size_t k) {
-    fits[k]->unseen_chi_square = chi_square_unseen(unseen, fits[k]->fit);
+    gaps[k] = gap_unseen(unseen, fits[k]->fit);
+    fits[k]->unseen_chi_square =
+        gaps[k] ? gaps[k]->chi_square : std::numeric_limits<double>::infinity();
   });
+  return gaps;
 }
 
-/// Do all candidates leave at the unseen speed what chance leaves once in a thousand?
-bool all_leave_a_gap(const Observations& unseen, const EffectSelection& selection) {
+/// Does each leave at the unseen speed what chance leaves once in a thousand?
+bool all_leave_a_gap(const Gaps& gaps) {
   constexpr double deviations = 3.0;
-  return std::all_of(selection.indistinguishable.begin(), selection.indistinguishable.end(),
-                     [&](std::size_t i) {
-                       const AssessedFit& one = selection.tried[i];
-                       if (!std::isfinite(*one.unseen_chi_square)) return true;
-                       const HeldOutGap gap = predict_unseen(unseen, one.fit);
-                       return gap.reduced_chi_square - 1.0 > deviations * gap.deviation;
-                     });
+  return std::all_of(gaps.begin(), gaps.end(), [&](const std::optional<HeldOutGap>& gap) {
+    return !gap || gap->reduced_chi_square - 1.0 > deviations * gap->deviation;
+  });
 }
 
 /// All other fits whose χ² noise could make, where they are adequate and within reach of the
@@ -101,11 +102,12 @@ void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& 
                               const std::function<void(AssessedFit&)>& judge,
                               EffectSelection& selection) {
   auto& members = selection.indistinguishable;
-  std::vector<AssessedFit*> predicting{&selection.baseline};
-  for (const std::size_t i : members) predicting.push_back(&selection.tried[i]);
-  ask(unseen, predicting);
   const std::vector<std::size_t> before = members;
-  if (all_leave_a_gap(unseen, selection)) add_what_predicts_better(unseen, rules, judge, selection);
+  std::vector<AssessedFit*> candidates;
+  for (const std::size_t i : members) candidates.push_back(&selection.tried[i]);
+  ask(unseen, {&selection.baseline});
+  if (all_leave_a_gap(ask(unseen, candidates)))
+    add_what_predicts_better(unseen, rules, judge, selection);
   keep_within_reach(selection.tried, rules.close_criterion, members);
   for (const std::size_t i : before) selection.tried[i].unseen_denies = true;
   for (const std::size_t i : members) selection.tried[i].unseen_denies = false;
