@@ -104,6 +104,7 @@ void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& 
   auto& members = selection.indistinguishable;
   const std::vector<std::size_t> before = members;
   std::vector<AssessedFit*> candidates;
+  candidates.reserve(members.size());
   for (const std::size_t i : members) candidates.push_back(&selection.tried[i]);
   ask(unseen, {&selection.baseline});
   if (all_leave_a_gap(ask(unseen, candidates)))
