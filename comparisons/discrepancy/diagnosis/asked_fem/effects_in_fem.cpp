@@ -72,7 +72,7 @@ bool conclude_from_what_candidates_share(Diagnosis& d, const Observations& all,
   shared.lumped = "supported";  // with more beside it
   d.fem_with_nothing_hidden =
       Gap{.before = shared.gap.before, .held_out_before = shared.gap.held_out_before};
-  conclude_from_fem(d, rules);
+  conclude_from_fem(d, rules, [&] { return balls.criterion_of_lumped(d.best()); });
   if (on_plate)
     d.withheld = fmt::format(
         "what stands beside it depends on the tier: in FE {} alone takes the gap from {:.3g} to "
@@ -103,7 +103,7 @@ void look_for_effects_in_fem(Diagnosis& d, const Observations& all, const Select
       Gap{.before = tried.without().reduced_chi_square(), .held_out_before = unseen_at_last};
   if (!tried.is_any_supported() && is_the_noise(tried.without(), unseen_at_last))
     return let_fem_stand(d, tried.without(), unseen_at_last);
-  conclude_from_fem(d, rules);
+  conclude_from_fem(d, rules, [&] { return balls.criterion_of_lumped(d.best()); });
 } catch (const Error& error) {
   if (error.code() != ExitCode::solver_failed) throw;
   d.warnings.push_back(fmt::format("FE could not be asked for effects: {}", error.what()));

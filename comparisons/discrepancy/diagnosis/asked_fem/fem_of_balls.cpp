@@ -129,11 +129,33 @@ std::optional<double> FemOfBalls::unseen(const FemOfAllBalls& fitted) const {
 }
 
 double FemOfBalls::unseen_samples() const {
+  return samples_looked_at(unseen_);
+}
+
+double FemOfBalls::samples_looked_at(const Observations& shots_of) const {
   double samples = 0.0;
   for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
-    for (const std::size_t shot : shots_for_fem(unseen_, all_, ball))
-      samples += static_cast<double>(unseen_.shots[shot].trace.force.size());
+    for (const std::size_t shot : shots_for_fem(shots_of, all_, ball))
+      samples += static_cast<double>(shots_of.shots[shot].trace.force.size());
   return samples;
+}
+
+double FemOfBalls::chi_square_looked_at(const Observations& shots_of,
+                                        const std::vector<ShotGap>& gaps) const {
+  double chi_square = 0.0;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
+    for (const std::size_t shot : shots_for_fem(shots_of, all_, ball))
+      chi_square += gaps[shot].rows * gaps[shot].reduced_chi_square;
+  return chi_square;
+}
+
+double FemOfBalls::criterion_of_lumped(const HypothesisFit& fit) const {
+  const HypothesisFit refitted = fit_further(seen_, fit, control_);
+  double criterion = chi_square_looked_at(seen_, gaps_of_shots(refitted)) +
+                     refitted.effect_unknowns * std::log(samples_looked_at(seen_));
+  if (unseen_samples() > 0.0)
+    criterion += chi_square_looked_at(unseen_, predict_unseen(unseen_, refitted).of_shots);
+  return criterion;
 }
 
 std::vector<ShotGap> FemOfBalls::gaps_of_seen(const std::vector<FittedFem>& balls) const {

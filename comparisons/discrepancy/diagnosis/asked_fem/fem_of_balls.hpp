@@ -72,6 +72,11 @@ class FemOfBalls {
   /// Samples of those shots.
   double unseen_samples() const;
 
+  /// χ² + k ln N of a lumped fit, refitted with FE's own error among those of the data, and χ² of
+  /// the unseen speed: both of the shots that FE looks at, k the numbers of its effects. To be
+  /// compared with EffectInFem::criterion(). Errors: Error(solver_failed).
+  double criterion_of_lumped(const HypothesisFit& fit) const;
+
   /// What these balls leave of each shot that was fitted, and of each that was not, as unseen(). A
   /// shot that FE does not look at has no rows.
   std::vector<ShotGap> gaps_of_seen(const std::vector<FittedFem>& balls) const;
@@ -80,6 +85,10 @@ class FemOfBalls {
  private:
   std::vector<ShotGap> gaps_of(const Observations& shots_of,
                                const std::vector<FittedFem>& balls) const;
+
+  /// Of those shots alone that FE looks at.
+  double samples_looked_at(const Observations& shots_of) const;
+  double chi_square_looked_at(const Observations& shots_of, const std::vector<ShotGap>& gaps) const;
 
   const Diagnosis& d_;
   const Observations& all_;

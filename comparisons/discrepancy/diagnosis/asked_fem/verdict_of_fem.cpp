@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/verdict_of_fem.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,38 @@ void show_gap_in_fem(Diagnosis& d, const EffectInFem& found) {
   d.gap = found.gap;
   d.gap.held_out_noise = held_out_noise;
   d.shots_in_fem = {.effect = found.effect.name, .without = found.without, .with = found.with};
+}
+
+/// Does the law with what it has found explain the data, by other families than this one?
+bool law_explains_by_others(const Diagnosis& d, EffectFamily family) {
+  const bool explains =
+      d.verdict == DiagnosisVerdict::family || d.verdict == DiagnosisVerdict::one_of;
+  return explains && std::none_of(d.candidates.begin(), d.candidates.end(), [&](const auto& set) {
+           return std::any_of(set.begin(), set.end(), [&](const std::string& name) {
+             return find_effect(name).card.family == family;
+           });
+         });
+}
+
+/// Both tiers explain the data, each by another family: the law's stands where it is ahead by more
+/// than comes close, and else it is one of both.
+void keep_what_the_law_says(Diagnosis& d, const EffectInFem& in_fem, double ahead_of_fem,
+                            const SelectionRules& rules) {
+  const std::string& name = in_fem.effect.name;
+  const std::string both =
+      fmt::format("in FE {} takes the gap from {:.3g} to {:.3g}, and beside the law {} {}", name,
+                  *in_fem.gap.before, *in_fem.gap.after, fmt::join(d.candidates.front(), " + "),
+                  ahead_of_fem > rules.close_criterion
+                      ? fmt::format("is ahead of it by {:.0f} in χ² and numbers", ahead_of_fem)
+                      : "explains the data as well");
+  if (ahead_of_fem > rules.close_criterion) {
+    d.warnings.push_back(both);
+    return;
+  }
+  constexpr EffectFamily of_several = EffectFamily::none;
+  d.family = of_several;
+  d.candidates.push_back({name});
+  withhold(d, DiagnosisVerdict::one_of, "it depends on the tier: " + both);
 }
 
 }  // namespace
@@ -175,7 +208,8 @@ void deny_where_sharper_cells_do(Diagnosis& d, const FemOfAllBalls& without,
                        without.reduced_chi_square(), *unseen));
 }
 
-void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
+void conclude_from_fem(Diagnosis& d, const SelectionRules& rules,
+                       const std::function<double()>& criterion_of_lumped) {
   std::vector<const EffectInFem*> candidates = supported_by_fem(d, rules);
   if (candidates.empty()) candidates = nearly_all_in_fem(d);
   if (candidates.empty()) return;
@@ -183,6 +217,11 @@ void conclude_from_fem(Diagnosis& d, const SelectionRules& rules) {
   if (std::any_of(candidates.begin(), candidates.end(),
                   [&](const EffectInFem* one) { return one->family != family; }))
     return;
+  if (law_explains_by_others(d, family)) {
+    const double ahead_of_fem = candidates.front()->criterion() - criterion_of_lumped();
+    if (ahead_of_fem >= -rules.close_criterion)
+      return keep_what_the_law_says(d, *candidates.front(), ahead_of_fem, rules);
+  }
   drop_candidates(d);
   show_gap_in_fem(d, *candidates.front());
   for (const EffectInFem* one : candidates) d.candidates.push_back({one->effect.name});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,9 +35,16 @@ void let_fem_stand(Diagnosis& d, const FemOfAllBalls& without, std::optional<dou
 /// family half, so that what is left is more than noise, and little beside it. A fault of the
 /// measurement is suspected as such.
 ///
+/// Where effects of other families beside the law explain the data too, those of FE take their
+/// place only if they are ahead by the criterion of both on the same errors; the law's stay where
+/// they are ahead, and else it is one of both.
+///
+///   criterion_of_lumped   that of the law with its effects (FemOfBalls), asked for there only
+///
 /// Limit:  two families that explain the data leave the verdict as it is; so does one with a rival
 ///         that takes half -> test VerdictOfFem
-void conclude_from_fem(Diagnosis& d, const SelectionRules& rules);
+void conclude_from_fem(Diagnosis& d, const SelectionRules& rules,
+                       const std::function<double()>& criterion_of_lumped);
 
 /// Where FE with nothing hidden follows the data, and follows them plainly better with each of
 /// `in_fem`, the nearest first: the family of all that gain nearly as much as the nearest, or one

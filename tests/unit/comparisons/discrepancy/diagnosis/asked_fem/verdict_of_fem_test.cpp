@@ -41,7 +41,20 @@ Diagnosis concluded(std::vector<EffectInFem> in_fem) {
   d.verdict = DiagnosisVerdict::unexplained;
   d.in_fem = std::move(in_fem);
   sort_nearest_first(d.in_fem);
-  conclude_from_fem(d, {});
+  conclude_from_fem(d, {}, [] { return 0.0; });
+  return d;
+}
+
+/// FE's part of a verdict that a law with a rate effect has, by a family; FE tried one of the
+/// surface, which leaves 1200, and the law leaves this.
+Diagnosis concluded_beside_a_family(double criterion_of_lumped,
+                                    const std::string& in_fem = "adhesion") {
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::family;
+  d.family = EffectFamily::rate;
+  d.candidates = {{"rate-stiffening"}};
+  d.in_fem = {tried(in_fem, 1.2)};
+  conclude_from_fem(d, {}, [&] { return criterion_of_lumped; });
   return d;
 }
 
@@ -67,6 +80,28 @@ TEST(VerdictOfFem, AFaultThatExplainsTheDataIsOfTheMeasurement) {
 TEST(VerdictOfFem, AFaultHasAFormBesideTheLumpedLaw) {
   EXPECT_EQ(tried("burst", 1.2).lumped, "rejected");
   EXPECT_EQ(tried("adhesion", 1.2).lumped, "rejected");
+}
+
+/// Tsuji's damper in a law: FE's own ball took most of it, and a slow sensor the rest.
+TEST(VerdictOfFem, AFamilyOfTheLawStandsWhereItIsAhead) {
+  const Diagnosis ahead = concluded_beside_a_family(1190.0);
+  EXPECT_EQ(ahead.verdict, DiagnosisVerdict::family);
+  EXPECT_EQ(ahead.family, EffectFamily::rate);
+  EXPECT_EQ(ahead.warnings.size(), 1U);
+  EXPECT_EQ(concluded_beside_a_family(1210.0).family, EffectFamily::surface) << "FE is ahead";
+  EXPECT_EQ(concluded_beside_a_family(1190.0, "rate-stiffening").withheld.rfind("it depends on", 0),
+            0U)
+      << "FE says the same family";
+}
+
+TEST(VerdictOfFem, FamiliesOfBothTiersAreOneOfBoth) {
+  for (const double level : {1195.0, 1205.0}) {
+    const Diagnosis d = concluded_beside_a_family(level);
+    EXPECT_EQ(d.verdict, DiagnosisVerdict::one_of);
+    EXPECT_EQ(d.family, EffectFamily::none);
+    EXPECT_EQ(d.candidates,
+              (std::vector<std::vector<std::string>>{{"rate-stiffening"}, {"adhesion"}}));
+  }
 }
 
 TEST(VerdictOfFem, TwoFamiliesWithinReachGiveNone) {
