@@ -61,6 +61,9 @@ struct MeasurementChain {
   double time_base = 0.0;  ///< s [-]
   /// Of the record's software filter without delay, SAE J211; 0: none [Hz].
   double filter_class = 0.0;
+  /// Time over which a reading is a mean where a contact ends within it, far below the sample
+  /// spacing [s].
+  double aperture = 0.0;
   double clipping_level = std::numeric_limits<double>::infinity();  ///< L [N]
   double rounding_step = 0.0;  ///< of the recorder, which rounds the noise, too; 0: none [N]
   /// Which shot of the data it serves, from 1; 0: none. Faults of one shot act where it is theirs.

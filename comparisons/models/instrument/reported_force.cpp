@@ -44,6 +44,19 @@ double force_at(const Trace& trace, double time, std::size_t& from) {
          s * rest * (rest * leaving + s * arriving);
 }
 
+/// Its mean over an aperture about that instant, where the contact ends within it; but for a jump
+/// there, which stays one. A mean over an instant within the contact is its middle. Where the force
+/// ends with a slope, a reading changes with that instant without a bend. Where it begins it may
+/// rise as steeply as a jump, and stays as it is.
+double mean_at(const Trace& trace, double time, double aperture, std::size_t& from) {
+  const double half = 0.5 * aperture, last = trace.time.back();
+  const double begin = std::max(time - half, trace.time.front());
+  if (time + half <= last || begin >= last) return force_at(trace, time, from);
+  const double before = force_at(trace, begin, from), at_end = force_at(trace, last, from);
+  const double slope_part = 0.5 * (before - at_end) * (last - begin) / aperture;
+  return slope_part + (time <= last ? at_end : 0.0);
+}
+
 /// The contact on an even grid, zero around it.
 Trace on_even_grid(const Trace& contact, double first, double last, double step) {
   Trace even;
@@ -113,8 +126,8 @@ std::vector<double> reported_force(const Trace& contact, const MeasurementChain&
   std::size_t from = 0;
   for (const double t : time) {
     const double since = since_touch(t);
-    const double reading =
-        (1.0 + chain.force_gain) * force_at(source, since, from) + added_force(chain, since);
+    const double reading = (1.0 + chain.force_gain) * mean_at(source, since, chain.aperture, from) +
+                           added_force(chain, since);
     force.push_back(std::min(reading, chain.clipping_level));
   }
   return force;

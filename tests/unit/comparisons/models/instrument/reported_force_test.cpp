@@ -71,6 +71,24 @@ TEST(ReportedForceTest, OutsideTheContactThereIsTheBaselineAlone) {
   EXPECT_EQ(force, (std::vector<double>{7.0, 7.0}));
 }
 
+/// Where a contact ends with a slope, and nowhere else; a jump stays one.
+TEST(ReportedForceTest, AnApertureTakesTheKinkFromAnEnd) {
+  const Trace ramp{.time = {0.0, 1e-3, 2e-3}, .force = {400.0, 200.0, 0.0}};
+  const double width = 1e-5, half = 0.5 * width, slope = 2e5;
+  const std::vector<double> time{-half, 0.0, half, 1e-3, 2e-3 - half, 2e-3, 2e-3 + half};
+  const auto force = reported_force(ramp, {.aperture = width}, time);
+  const std::vector<double> expected{
+      0.0, 400.0, 400.0 - slope * half, 200.0, slope * half, slope * width / 8, 0.0};
+  for (std::size_t i = 0; i < time.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-6) << time[i];
+  const auto ideal = reported_force(ramp, {}, time);
+  EXPECT_EQ(force[3], ideal[3]);
+  const double step = 1e-8;
+  const auto about_the_end = reported_force(ramp, {.aperture = width},
+                                            std::vector<double>{2e-3 - step, 2e-3, 2e-3 + step});
+  EXPECT_NEAR((about_the_end[1] - about_the_end[0]) / step, -0.5 * slope, 0.01 * slope);
+  EXPECT_NEAR((about_the_end[2] - about_the_end[1]) / step, -0.5 * slope, 0.01 * slope);
+}
+
 TEST(ReportedForceTest, GainBaselineAndClock) {
   const MeasurementChain chain{.force_gain = 0.1, .force_baseline = 5.0, .trigger_shift = 1e-3};
   const auto force = reported_force(half_sine(), chain, std::vector<double>{2e-3});
