@@ -17,10 +17,6 @@ bool is_at_first_touch(const EffectChoice& effect) {
   return family == EffectFamily::rate || family == EffectFamily::surface;
 }
 
-bool acts_at_first_touch(const std::vector<EffectChoice>& effects) {
-  return std::any_of(effects.begin(), effects.end(), is_at_first_touch);
-}
-
 bool is_correlated(const Observations& seen) {
   return std::any_of(seen.shots.begin(), seen.shots.end(), [](const MeasuredImpact& shot) {
     return !shot.noise.autocorrelation.empty();
@@ -85,12 +81,13 @@ double start_where_it_fits(const Observations& seen, const Hypothesis& hypothesi
 }  // namespace
 
 bool acts_at_first_touch_alone(const Hypothesis& hypothesis) {
-  return std::all_of(hypothesis.effects.begin(), hypothesis.effects.end(), is_at_first_touch);
+  return !hypothesis.effects.empty() &&
+         std::all_of(hypothesis.effects.begin(), hypothesis.effects.end(), is_at_first_touch);
 }
 
 std::vector<Observations> with_white_noise_beside(const Observations& seen,
                                                   const Hypothesis& hypothesis) {
-  if (hypothesis.fem || !acts_at_first_touch(hypothesis.effects) || !is_correlated(seen)) return {};
+  if (hypothesis.fem || !is_correlated(seen)) return {};
   const double innovation = least_innovation(seen);
   std::vector<Observations> stages;
   for (const double share : {1.0, 0.1, 0.01})

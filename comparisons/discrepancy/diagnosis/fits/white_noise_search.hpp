@@ -9,13 +9,13 @@
 
 namespace rebound {
 
-/// Do all effects act at first touch? A ring of high frequency is told by the colour of the noise,
-/// and must be searched with it from the beginning.
+/// Are there effects, all of which act at first touch? A ring of high frequency is told by the
+/// colour of the noise, and must be searched with it from the beginning.
 bool acts_at_first_touch_alone(const Hypothesis& hypothesis);
 
 /// The same shots with less and less white noise beside theirs: nothing else, a tenth of the
 /// variance, a hundredth. What is not more than the past of the noise leaves open is left out.
-/// Empty where noise is white, where no effect acts at first touch, and in FE.
+/// Empty where noise is white, and in FE.
 std::vector<Observations> with_white_noise_beside(const Observations& seen,
                                                   const Hypothesis& hypothesis);
 
@@ -28,7 +28,9 @@ std::vector<Observations> with_white_noise_beside(const Observations& seen,
 ///
 /// Nothing without a stage, where the search ends at no impact, and where no numbers come near the
 /// data.
-/// Limit:  a damper that rises within a few samples is found from nothing
+/// Limit:  what acts while the force falls is found from any start, too
+///         -> test HypothesisFitTest.SlowRelaxationIsFoundFromAnyStart; a damper that rises within
+///         a few samples is found from nothing
 ///         -> test SettledStartsTest.AreTakenAlongWhereTheForceIsSteep, also under the noise of a
 ///         filter -> test SettledStartsTest.AreTakenAlongByLessAndLessWhiteNoise
 /// Errors: as calibrate(), but for impacts without an answer.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "tests/unit/comparisons/discrepancy/diagnosis/fits/smooth_noise.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
@@ -38,6 +39,54 @@ TEST(HypothesisFitTest, AShapeThatIsNotTheFormulasOwnCostsAsMuch) {
 
 TEST(HypothesisFitTest, AFormulaOfOneSizeCostsTwo) {
   EXPECT_NEAR(picked_by_search({"force-exponent", 0.01, {}}), 0.0, 1e-9);
+}
+
+/// A slow relaxation and a softer law leave nearly the same behind: the data say its size over its
+/// time, and hardly either alone. Smooth noise leaves hardly anything to chance from one sample to
+/// the next, so that samples at which a contact ends decide, and are walls to a search by slopes.
+HypothesisFit slow_relaxation_found(const Observations& seen, double of_hidden) {
+  const EffectChoice start{
+      "relaxation", 0.26 * of_hidden, {{"relaxation_time", 1.3e-3 * of_hidden}}};
+  return fit_hypothesis(
+      seen,
+      {.believed = testing::believed_law(), .effects = {start}, .model_discrepancy = nullptr});
+}
+
+Observations with_slow_relaxation(int seed) {
+  const EffectChoice hidden{"relaxation", 0.26, {{"relaxation_time", 1.3e-3}}};
+  return observe({testing::under_smooth_noise(hidden, 0.1, seed)});
+}
+
+TEST(HypothesisFitTest, SlowRelaxationIsFoundFromAnyStart) {
+  for (const int seed : {1, 2, 3}) {
+    const Observations seen = with_slow_relaxation(seed);
+    const double from_hidden = slow_relaxation_found(seen, 1.0).chi_square;
+    EXPECT_LT(from_hidden,
+              static_cast<double>(seen.shots.size() * seen.shots[0].trace.time.size()));
+    EXPECT_NEAR(slow_relaxation_found(seen, 2.0).chi_square, from_hidden, 0.1) << seed;
+  }
+}
+
+TEST(HypothesisFitTest, IntervalsHoldASlowRelaxation) {
+  constexpr int seeds = 8;
+  int held = 0;
+  for (int seed = 1; seed <= seeds; ++seed)
+    for (const Estimate& one :
+         slow_relaxation_found(with_slow_relaxation(seed), 1.0).search.estimates)
+      held += one.name == "relaxation" && one.low <= 0.26 && 0.26 <= one.high;
+  EXPECT_GE(held, seeds - 2);
+}
+
+TEST(HypothesisFitTest, AReadingIsAMeanUnderNoiseWithAColourAlone) {
+  const Observations smooth = with_slow_relaxation(1);
+  const HypothesisFit fit = slow_relaxation_found(smooth, 1.0);
+  const std::vector<double>& time = smooth.shots[0].trace.time;
+  EXPECT_NEAR(fit.model->chain_at(fit.values, 0).aperture, 0.05 * (time[1] - time[0]),
+              1e-4 * (time[1] - time[0]));
+  const Observations white = observe({testing::measured_data(testing::experiment_with({}, 1))});
+  const HypothesisFit law = fit_hypothesis(
+      white, {.believed = testing::believed_law(), .effects = {}, .model_discrepancy = nullptr});
+  EXPECT_EQ(law.model->chain_at(law.values, 0).aperture, 0.0);
 }
 
 /// Deviation of the reduced χ² of shots that no fit saw.
