@@ -14,6 +14,7 @@
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 #include "comparisons/models/instrument/channel_filter.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound {
@@ -41,10 +42,6 @@ constexpr NamedNumber numbers_of_record[] = {
 };
 
 constexpr const char* scalar_units[] = {"", "_s", "_N", "_m", "_m"};
-
-double interval_of(const Trace& trace) {
-  return (trace.time.back() - trace.time.front()) / static_cast<double>(trace.time.size() - 1);
-}
 
 void add_stated(const MeasuredImpact& shot, InspectedShot& seen) {
   for (std::size_t i = 0; i < scalar_quantities.size(); ++i) {
@@ -149,7 +146,7 @@ InspectedShot inspect_recorded(const Dataset& dataset, const MeasuredImpact& sho
   const SampleRange contact = contact_window(force, clearly_in_contact * peak);
   seen.samples = force.size();
   seen.samples_in_contact = contact.count();
-  seen.interval = interval_of(shot.trace);
+  seen.interval = mean_sample_step(shot.trace.time);
   seen.rounding_step = quantisation_step(force);
   const std::size_t before = contact.first - std::min(contact.first, contact.count() / 10 + 1);
   quiet.emplace_back(force.data(), before);

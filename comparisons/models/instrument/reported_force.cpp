@@ -52,7 +52,7 @@ double mean_at(const Trace& trace, double time, double aperture, std::size_t& fr
   const double half = 0.5 * aperture, last = trace.time.back();
   const double begin = std::max(time - half, trace.time.front());
   if (time + half <= last || begin >= last) return force_at(trace, time, from);
-  const double before = force_at(trace, begin, from), at_end = force_at(trace, last, from);
+  const double before = force_at(trace, begin, from), at_end = trace.force.back();
   const double slope_part = 0.5 * (before - at_end) * (last - begin) / aperture;
   return slope_part + (time <= last ? at_end : 0.0);
 }
@@ -92,8 +92,7 @@ Trace filtered_by_class(const Trace& contact, double filter_class, double last) 
 
 /// What the filters of the chain make of the contact; `last` by the contact's own clock.
 Trace passed_by_filters(const Trace& contact, const MeasurementChain& chain, double last) {
-  const double step =
-      (contact.time.back() - contact.time.front()) / static_cast<double>(contact.time.size() - 1);
+  const double step = mean_sample_step(contact.time);
   // A cut-off above the samples' own rate changes nothing that they could show.
   constexpr double highest_share = 0.45;
   Trace passed = contact;

@@ -18,15 +18,17 @@ namespace rebound {
 ///   t_s    trigger shift: first touch by the recorder's clock [s]
 ///   s      by which the recorder's clock runs fast, counted from first touch [-]
 ///   L      level at which the amplifier saturates [N]
-///   time   instants, increasing; before first touch and after separation the
-///          contact force is zero [s]
+///   time   instants, increasing; a reading is the mean of F over the aperture of the chain where
+///          the contact ends within it, but for a jump there; before first touch and after
+///          separation the contact force is zero [s]
 ///
 /// Error: cubic between the samples of the trace, so that reports of well-resolved contacts change
 ///        smoothly with the trigger: below 1e-6 of the peak at 200 samples, and (h²/8) max|F''|
 ///        where the force bends sharply; a force that jumps at first touch keeps its jump
 ///        -> test ReportedForceTest.BetweenSamplesItIsCubic.
 /// Limit: an ideal chain returns the trace at its own instants
-///        -> test ReportedForceTest.IdealChainChangesNothing.
+///        -> test ReportedForceTest.IdealChainChangesNothing; an aperture takes the bend from the
+///        end of a contact -> test ReportedForceTest.AnApertureTakesTheKinkFromAnEnd.
 /// Caution: a cut-off above 0.45 of the trace's own sampling rate passes all: what it would
 ///        change, a delay of less than the sample spacing, lies between the samples.
 /// Errors: Error(bad_input) for a trace of fewer than two samples, or a chain out of its limits.

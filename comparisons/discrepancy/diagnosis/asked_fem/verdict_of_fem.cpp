@@ -106,19 +106,18 @@ void keep_what_the_law_says(Diagnosis& d, const EffectInFem& in_fem, double ahea
                             const SelectionRules& rules) {
   const std::string& name = in_fem.effect.name;
   const std::string both =
-      fmt::format("in FE {} takes the gap from {:.3g} to {:.3g}, and beside the law {} {}", name,
-                  *in_fem.gap.before, *in_fem.gap.after, fmt::join(d.candidates.front(), " + "),
-                  ahead_of_fem > rules.close_criterion
-                      ? fmt::format("is ahead of it by {:.0f} in χ² and numbers", ahead_of_fem)
-                      : "explains the data as well");
+      fmt::format("in FE {} takes the gap from {:.3g} to {:.3g}, and beside the law {}", name,
+                  *in_fem.gap.before, *in_fem.gap.after, fmt::join(d.candidates.front(), " + "));
   if (ahead_of_fem > rules.close_criterion) {
-    d.warnings.push_back(both);
+    d.warnings.push_back(
+        fmt::format("{} is ahead of it by {:.0f} in χ² and numbers", both, ahead_of_fem));
     return;
   }
   constexpr EffectFamily of_several = EffectFamily::none;
   d.family = of_several;
   d.candidates.push_back({name});
-  withhold(d, DiagnosisVerdict::one_of, "it depends on the tier: " + both);
+  withhold(d, DiagnosisVerdict::one_of,
+           fmt::format("it depends on the tier: {} explains the data as well", both));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "comparisons/discrepancy/diagnosis/data_checks/noise_source.hpp"
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 #include "lumped/problem/scalars.hpp"
 
 namespace rebound {
@@ -232,8 +233,7 @@ RecordReadings read_record(const MeasuredImpact& shot, std::uint64_t seed) {
     return readings[static_cast<std::size_t>(number)].slack;
   };
   constexpr double of_a_sample = 0.5;  // what is left of where the samples happen to lie
-  slack(RecordNumber::width) = of_a_sample * (trace.time.back() - trace.time.front()) /
-                               static_cast<double>(trace.time.size() - 1);
+  slack(RecordNumber::width) = of_a_sample * mean_sample_step(trace.time);
   slack(RecordNumber::contact_time) = contact_time_of(trace, levels).slack;
   slack(RecordNumber::impulse) =
       missing_impulse(trace, reading_of(readings, RecordNumber::width).value);

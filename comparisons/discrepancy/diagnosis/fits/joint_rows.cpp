@@ -12,6 +12,7 @@
 #include "comparisons/io/dataset/contact_window.hpp"
 #include "comparisons/models/instrument/reported_deflection.hpp"
 #include "comparisons/models/instrument/reported_force.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 
 namespace rebound {
 namespace {
@@ -20,6 +21,17 @@ namespace {
 SampleRange deflection_range(const Trace& trace) {
   const double peak = *std::max_element(trace.force.begin(), trace.force.end());
   return contact_window(trace.force, clearly_in_contact * peak);
+}
+
+/// Where a contact ends the force bends. Once the colour of smooth noise is taken out, a sample at
+/// the bend is a wall to a search by slopes, which stops there and believes more than it knows:
+/// over this share of a sample the reading goes from one side to the other.
+constexpr double share_of_a_sample = 0.05;
+
+double aperture_of(const MeasuredImpact& shot) {
+  const std::vector<double>& time = shot.trace.time;
+  if (shot.noise.autocorrelation.empty() || time.size() < 2) return 0.0;
+  return share_of_a_sample * mean_sample_step(time);
 }
 
 }  // namespace
@@ -88,17 +100,6 @@ void JointModel::add_rows() {
       if ((shot.*scalar.measured).has_error()) rows_.push_back({i, scalar.what, 0.0});
   }
   common_error_.emplace(seen_, force_rows, rows_.size());
-}
-
-/// Where a contact ends the force bends. Once the colour of smooth noise is taken out, a sample at
-/// the bend is a wall to a search by slopes, which stops there and believes more than it knows:
-/// over this share of a sample the reading goes from one side to the other.
-constexpr double share_of_a_sample = 0.05;
-
-double aperture_of(const MeasuredImpact& shot) {
-  const std::vector<double>& time = shot.trace.time;
-  if (shot.noise.autocorrelation.empty() || time.size() < 2) return 0.0;
-  return share_of_a_sample * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
 }
 
 MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {

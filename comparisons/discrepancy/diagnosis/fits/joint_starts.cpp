@@ -4,13 +4,10 @@
 #include <numeric>
 
 #include "comparisons/discrepancy/diagnosis/fits/joint_model.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 
 namespace rebound {
 namespace {
-
-double sample_of(const std::vector<double>& time) {
-  return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-}
 
 /// The first of two readings in a row that are beyond the noise, before the largest; the first of
 /// all where there are none.
@@ -34,7 +31,7 @@ std::vector<double> JointModel::with_settled_starts(std::vector<double> values) 
   constexpr double farthest = 3.0, coarse = 0.25, fine = 0.05;  // samples
   if (fem()) return values;
   for (const auto& [shot, place] : starts_) {
-    const double sample = sample_of(seen_.shots[shot].trace.time);
+    const double sample = mean_sample_step(seen_.shots[shot].trace.time);
     const auto left = [&, shot = shot] {
       const std::vector<double> block = block_at(values, shot);
       return std::inner_product(block.begin(), block.end(), block.begin(), 0.0);
@@ -65,7 +62,7 @@ std::vector<double> JointModel::with_starts_at_jumps(std::vector<double> values)
   if (fem()) return values;
   for (const auto& [shot, place] : starts_) {
     const MeasuredImpact& measured = seen_.shots[shot];
-    const double sample = sample_of(measured.trace.time), start = values[place];
+    const double sample = mean_sample_step(measured.trace.time), start = values[place];
     const std::vector<double> force =
         force_at(values, shot, {start - just_after * sample, start + just_after * sample});
     if (std::abs(force[1] - force[0]) < seen * measured.noise.deviation) continue;

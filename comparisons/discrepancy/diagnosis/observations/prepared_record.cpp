@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/observations/pull_in_record.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
+#include "comparisons/models/instrument/sample_step.hpp"
 
 namespace rebound {
 namespace {
@@ -67,10 +68,6 @@ void count_rounding(MeasuredImpact& shot, double rounding, Observations& seen) {
   if (shot.noise.deviation > 0.0) shot.noise.deviation = std::hypot(shot.noise.deviation, rounding);
 }
 
-double interval_of(const Trace& trace) {
-  return (trace.time.back() - trace.time.front()) / static_cast<double>(trace.time.size() - 1);
-}
-
 }  // namespace
 
 double coarse_interval(const Observations& seen, const std::vector<std::size_t>& shots,
@@ -78,7 +75,7 @@ double coarse_interval(const Observations& seen, const std::vector<std::size_t>&
   double contacts = 0.0;
   for (const std::size_t i : shots) {
     const Trace& trace = seen.shots[i].trace;
-    contacts += static_cast<double>(window_of(trace.force).count()) * interval_of(trace);
+    contacts += static_cast<double>(window_of(trace.force).count()) * mean_sample_step(trace.time);
   }
   return contacts / static_cast<double>(samples * shots.size());
 }
@@ -103,7 +100,7 @@ PreparedRecord prepare_record(std::size_t index, double interval, const Recorder
   MeasuredImpact& shot = seen.shots[index];
   count_rounding(shot, recorder.rounding(), seen);
   constexpr double rounded = 1e-6;  // two intervals of 10 us are 20 us
-  average(shot, static_cast<std::size_t>(interval / interval_of(shot.trace) + rounded));
+  average(shot, static_cast<std::size_t>(interval / mean_sample_step(shot.trace.time) + rounded));
   PreparedRecord record{
       .shot = index, .trace = std::move(shot.trace), .contact = {}, .recorder = recorder};
   shot.trace = {};
