@@ -15,6 +15,16 @@ namespace {
 constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
 constexpr double worth_a_search = 0.5;   // of what effects explain
 
+/// The best candidate; null where there is none, or where one holds a plate: FE's ball may stand
+/// on that, and what it leaves on a rigid one says nothing.
+const HypothesisFit* explanation_on_rigid_plate(const EffectSelection& found) {
+  if (found.indistinguishable.empty()) return nullptr;
+  for (const std::size_t candidate : found.indistinguishable)
+    for (const EffectChoice& effect : found.tried[candidate].fit.effects)
+      if (is_plate(effect.name)) return nullptr;
+  return &found.best();
+}
+
 /// Is what FE adds worth a search of its own?
 bool comes_near(const Diagnosis& d, const HypothesisFit& with_fem) {
   const double gained = d.selection.baseline.fit.chi_square - with_fem.chi_square;
@@ -46,8 +56,11 @@ void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypo
   constexpr double fem_fit_share = 0.7;  // of a diagnosis that asks FE
   const RunControl control{.interrupted = whole.interrupted};
   const auto gap = std::make_shared<const ModelDiscrepancy>(
-      measure_model_discrepancy(all, *d.seen, d.selection.baseline.fit, {.file = request.mesh_file},
-                                plates_worth_a_search(d.selection, *d.seen), control));
+      measure_model_discrepancy(all, *d.seen,
+                                {.law = d.selection.baseline.fit,
+                                 .plates = plates_worth_a_search(d.selection, *d.seen),
+                                 .explanation = explanation_on_rigid_plate(d.selection)},
+                                {.file = request.mesh_file}, control));
   d.fem_alone = gap;
   if (whole.progress) whole.progress(fem_fit_share);
   Hypothesis baseline = d.selection.baseline.fit.hypothesis, believed_with_gap = believed;

@@ -109,12 +109,12 @@ Trace ModelDiscrepancy::added_to(const Trace& lumped, const ImpactScalars& scala
 }
 
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
-                                           const HypothesisFit& fit, const OwnMesh& own,
-                                           const std::vector<EffectChoice>& plates,
+                                           const LumpedAnswer& lumped, const OwnMesh& own,
                                            const RunControl& control) {
+  const HypothesisFit& fit = lumped.law;
   FemProblem problem;
   problem.mesh_file = own.file;
-  const SettledBalls settled = settle_balls(all, seen, fit, problem, plates, control);
+  const SettledBalls settled = settle_balls(all, seen, lumped, problem, control);
   ModelDiscrepancy gap{.curves = {},
                        .numerical_uncertainty = settled.errors.of_history,
                        .scalar_uncertainty = settled.errors.of_scalars,
@@ -135,9 +135,9 @@ ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observ
     hypothesis.effects.insert(hypothesis.effects.end(), own_ball.effects.begin(),
                               own_ball.effects.end());
     const Observations as_data = as_observed(all.balls[ball], impacts, in_fem);
-    const HypothesisFit lumped = fit_hypothesis(as_data, hypothesis, control);
+    const HypothesisFit refitted = fit_hypothesis(as_data, hypothesis, control);
     for (std::size_t i = 0; i < impacts.size(); ++i) {
-      gap.curves.push_back(curve_of(lumped, i, impacts[i], in_fem[i]));
+      gap.curves.push_back(curve_of(refitted, i, impacts[i], in_fem[i]));
       gap.curves.back().ball = ball;
     }
   }

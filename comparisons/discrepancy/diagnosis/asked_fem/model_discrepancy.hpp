@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/lumped_answer.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/mesh_errors.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/result.hpp"
@@ -11,8 +12,6 @@
 #include "lumped/problem/trace.hpp"
 
 namespace rebound {
-
-struct HypothesisFit;
 
 /// What FE adds to the lumped model of one impact when nothing is hidden, free
 /// of scale.
@@ -77,14 +76,11 @@ struct OwnMesh {
 ///   3 the lumped model refitted to those, on the same plate; what is left is the gap, over time
 ///     and of scalars
 ///
-///   plates   where one may be looked for in FE, as the lumped tier has found it
-///
 /// Caution: the gap's shape is taken as independent of the numbers of the
 ///          model.
 /// Errors: those of the fits and of FE; Error(solver_failed) without a history.
 ModelDiscrepancy measure_model_discrepancy(const Observations& all, const Observations& seen,
-                                           const HypothesisFit& fit, const OwnMesh& own,
-                                           const std::vector<EffectChoice>& plates,
+                                           const LumpedAnswer& lumped, const OwnMesh& own,
                                            const RunControl& control);
 
 /// Data whose noise, and whose scalars' uncertainty, holds the numerical uncertainty of FE as well.

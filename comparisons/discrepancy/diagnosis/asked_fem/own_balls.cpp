@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -64,6 +65,17 @@ const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
   });
 }
 
+/// Reduced χ² of these shots.
+double left_per_reading(const HypothesisFit& fit, const std::vector<std::size_t>& shots) {
+  const std::vector<ShotGap> gaps = gaps_of_shots(fit);
+  double chi_square = 0.0, rows = 0.0;
+  for (const std::size_t shot : shots) {
+    chi_square += gaps[shot].rows * gaps[shot].reduced_chi_square;
+    rows += gaps[shot].rows;
+  }
+  return chi_square / rows;
+}
+
 /// Does the plate take half of what FE leaves without it?
 bool is_worth_having(const FittedFem& rigid, const FittedFem& moving) {
   constexpr double half = 0.5;
@@ -91,11 +103,18 @@ std::vector<FittedFem> fit_rough_balls(const Observations& all, const Observatio
 }
 
 OwnBallFit::OwnBallFit(const Observations& seen, std::vector<std::size_t> shots,
-                       const HypothesisFit& lumped, const FemBelief& fem, const RunControl& control)
+                       const LumpedAnswer& lumped, const FemBelief& fem, const RunControl& control)
     : seen_(seen), shots_(std::move(shots)), lumped_(lumped), fem_(fem), control_(control) {}
 
 FittedFem OwnBallFit::fitted_from(const FittedFem& near, SearchDepth depth) const {
-  return fit_fem_model(seen_, shots_, lumped_, fem_, near.effects, &near, control_, depth);
+  return fit_fem_model(seen_, shots_, lumped_.law, fem_, near.effects, &near, control_, depth);
+}
+
+bool OwnBallFit::is_behind(const FittedFem& ball) const {
+  if (!lumped_.explanation || ball.follows()) return false;
+  const double half_way = 0.5 * (left_per_reading(lumped_.law, shots_) +
+                                 left_per_reading(*lumped_.explanation, shots_));
+  return ball.chi_square > half_way * static_cast<double>(ball.samples);
 }
 
 FittedFem OwnBallFit::again(const FittedFem& near) const {
@@ -131,7 +150,7 @@ FittedFem OwnBallFit::of_best_kind(const FittedFem& plain) const {
     start.material = std::move(kind);
     if (auto other = fitted(start, depth)) kinds.push_back(std::move(*other));
   };
-  const Material guess = guess_fem_material(seen_, shots_, lumped_);
+  const Material guess = guess_fem_material(seen_, shots_, lumped_.law);
   for (Material& kind : other_kinds_near(plain.material, guess))
     add(plain, std::move(kind), SearchDepth::whole);
   if (!plain.is_far()) {

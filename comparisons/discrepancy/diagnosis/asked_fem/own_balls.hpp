@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
+#include "comparisons/discrepancy/diagnosis/asked_fem/lumped_answer.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/run_control.hpp"
@@ -35,8 +36,14 @@ std::vector<FittedFem> fit_rough_balls(const Observations& all, const Observatio
 class OwnBallFit {
  public:
   /// `shots`: that FE is fitted to. All that is given must outlive it.
-  OwnBallFit(const Observations& seen, std::vector<std::size_t> shots, const HypothesisFit& lumped,
+  OwnBallFit(const Observations& seen, std::vector<std::size_t> shots, const LumpedAnswer& lumped,
              const FemBelief& fem, const RunControl& control);
+
+  /// Is it of no use to look further? Effects beside the law explain the data, and FE's ball does
+  /// not take half of what they do.
+  /// Limit:  a ball that obeys a law with an effect stays one of a single branch
+  ///         -> test OwnBallOfFem.IsSearchedNoFurtherWhereTheLawExplainsMore
+  bool is_behind(const FittedFem& ball) const;
 
   /// Of that kind, with those effects, from those numbers; to the end on a rigid plate alone. On
   /// one that moves an impact takes longer, and a search has many starts.
@@ -66,7 +73,7 @@ class OwnBallFit {
 
   const Observations& seen_;
   std::vector<std::size_t> shots_;
-  const HypothesisFit& lumped_;
+  const LumpedAnswer& lumped_;
   const FemBelief& fem_;
   const RunControl& control_;
 };

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "comparisons/discrepancy/diagnosis/asked_fem/lumped_answer.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/mesh_errors.hpp"
-#include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "lumped/problem/run_control.hpp"
 
 namespace rebound {
@@ -23,16 +23,16 @@ struct SettledBalls {
 ///   1 a first look, as a ball of one branch on a rigid plate, says where to cut
 ///   2 what half the edge adds at the speeds of the data corrects the mesh, and is its error
 ///   3 on that mesh, with its errors among those of the data: what the ball is made of
-///     (OwnBallFit), and, where it does not follow on a rigid plate, whether the plate moves
+///     (OwnBallFit), and, where it does not follow on a rigid plate, whether the plate moves;
+///     a ball that is behind what the lumped tier explains (is_behind) stays what it is
 ///   4 where that is another kind of ball than at first, 2 and its fit again
 ///
-///   plates   where a plate on its load cell may be looked for. Where FE on a rigid one does not
-///            follow the data, it is fitted with the ball from each of these, and stays where it
-///            takes half of what FE left over without it.
+/// Where FE on a rigid plate does not follow the data, each of `lumped.plates` is fitted with the
+/// ball, and stays where it takes half of what FE left over without it.
 ///
 /// Errors: as fit_fem_model() and those of FE; Error(solver_failed) without a history.
 SettledBalls settle_balls(const Observations& all, const Observations& seen,
-                          const HypothesisFit& lumped, const FemProblem& problem,
-                          const std::vector<EffectChoice>& plates, const RunControl& control);
+                          const LumpedAnswer& lumped, const FemProblem& problem,
+                          const RunControl& control);
 
 }  // namespace rebound
