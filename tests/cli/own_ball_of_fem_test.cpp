@@ -1,6 +1,8 @@
 // What a ball of FE is made of, beside a believed lumped model, where the noise is small enough to
 // show it: none of it is an effect.
+#include <filesystem>
 #include <regex>
+#include <string>
 
 #include "tests/cli/diagnosed_experiment.hpp"
 
@@ -74,35 +76,9 @@ relaxation_time = "0.15 ms"
 /// Its relaxation explains the data, and no ball of FE with nothing hidden comes near them: other
 /// kinds of it, which leave a little less, are not tried.
 TEST_F(OwnBallOfFem, IsSearchedNoFurtherWhereTheLawExplainsMore) {
-  const auto found = diagnosis_of(R"(schema = 1
-name = "of a law"
-seed = 12
-[sphere]
-mass = "92 g"
-diameter = "65.9 mm"
-[model]
-tier = "lumped"
-law = "hunt-crossley"
-stiffness = "3.2e6 N/m^1.5"
-damping = "7e4 N.s/m^2.5"
-[[model.effect]]
-name = "relaxation"
-size = 0.4
-relaxation_time = "0.5 ms"
-[instrument]
-force_noise = "2 N"
-force_gain_uncertainty = 0.01
-[[shot]]
-speed = "5 m/s"
-speed_uncertainty = "0.02 m/s"
-[[shot]]
-speed = "9 m/s"
-speed_uncertainty = "0.03 m/s"
-[[shot]]
-speed = "15 m/s"
-speed_uncertainty = "0.05 m/s"
-)",
-                                  believed_lumped);
+  const std::filesystem::path experiments = REBOUND_EXPERIMENTS_FOLDER;
+  const auto found = diagnosis_of(read_whole(experiments / "lumped-relaxation.toml"),
+                                  read_whole(experiments / "believed.toml"));
   EXPECT_EQ(found["family"], "memory");
   ASSERT_EQ(found["fem_balls"].size(), 1u);
   EXPECT_TRUE(std::regex_match(found["fem_balls"][0].get<std::string>(),

@@ -13,7 +13,6 @@ namespace rebound {
 namespace {
 
 constexpr double plainly_nearer = 25.0;  // in χ², as seen against the noise of the data alone
-constexpr double worth_a_search = 0.5;   // of what effects explain
 
 /// The best candidate; null where there is none, or where one holds a plate: FE's ball may stand
 /// on that, and what it leaves on a rigid one says nothing.
@@ -30,7 +29,8 @@ bool comes_near(const Diagnosis& d, const HypothesisFit& with_fem) {
   const double gained = d.selection.baseline.fit.chi_square - with_fem.chi_square;
   if (gained <= plainly_nearer) return false;
   if (d.selection.indistinguishable.empty()) return true;
-  return gained >= worth_a_search * (d.selection.baseline.fit.chi_square - d.best().chi_square);
+  return gained >=
+         share_worth_a_search * (d.selection.baseline.fit.chi_square - d.best().chi_square);
 }
 
 /// Does what was found beside FE take the place of what was found without?

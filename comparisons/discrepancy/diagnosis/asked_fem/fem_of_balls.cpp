@@ -143,9 +143,10 @@ double FemOfBalls::samples_looked_at(const Observations& shots_of) const {
 double FemOfBalls::chi_square_looked_at(const Observations& shots_of,
                                         const std::vector<ShotGap>& gaps) const {
   double chi_square = 0.0;
-  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball)
-    for (const std::size_t shot : shots_for_fem(shots_of, all_, ball))
-      chi_square += gaps[shot].rows * gaps[shot].reduced_chi_square;
+  for (std::size_t ball = 0; ball < all_.balls.size(); ++ball) {
+    const ShotGap of_ball = together(gaps, shots_for_fem(shots_of, all_, ball));
+    chi_square += of_ball.rows * of_ball.reduced_chi_square;
+  }
   return chi_square;
 }
 

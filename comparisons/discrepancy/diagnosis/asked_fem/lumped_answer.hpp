@@ -8,6 +8,10 @@ namespace rebound {
 
 struct HypothesisFit;
 
+/// Of what effects beside the law explain FE's ball must take as much, or its part in the model is
+/// worth no search.
+inline constexpr double share_worth_a_search = 0.5;
+
 /// What the lumped tier has said of the data when FE is asked.
 struct LumpedAnswer {
   const HypothesisFit& law;  ///< the believed law, fitted

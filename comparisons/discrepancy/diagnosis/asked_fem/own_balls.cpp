@@ -7,7 +7,6 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/own_material.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
-#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -47,6 +46,16 @@ std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observati
   return shots;
 }
 
+ShotGap together(const std::vector<ShotGap>& gaps, const std::vector<std::size_t>& shots) {
+  int rows = 0;
+  double chi_square = 0.0;
+  for (const std::size_t shot : shots) {
+    rows += gaps[shot].rows;
+    chi_square += gaps[shot].rows * gaps[shot].reduced_chi_square;
+  }
+  return {.rows = rows, .reduced_chi_square = rows > 0 ? chi_square / rows : 0.0};
+}
+
 namespace {
 
 /// What a fit costs with its numbers, where errors are as large as the best leaves them.
@@ -63,17 +72,6 @@ const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
   return *std::min_element(kinds.begin(), kinds.end(), [&](const auto& a, const auto& b) {
     return information_criterion(a, scale) < information_criterion(b, scale);
   });
-}
-
-/// Reduced χ² of these shots.
-double left_per_reading(const HypothesisFit& fit, const std::vector<std::size_t>& shots) {
-  const std::vector<ShotGap> gaps = gaps_of_shots(fit);
-  double chi_square = 0.0, rows = 0.0;
-  for (const std::size_t shot : shots) {
-    chi_square += gaps[shot].rows * gaps[shot].reduced_chi_square;
-    rows += gaps[shot].rows;
-  }
-  return chi_square / rows;
 }
 
 /// Does the plate take half of what FE leaves without it?
@@ -112,9 +110,10 @@ FittedFem OwnBallFit::fitted_from(const FittedFem& near, SearchDepth depth) cons
 
 bool OwnBallFit::is_behind(const FittedFem& ball) const {
   if (!lumped_.explanation || ball.follows()) return false;
-  const double half_way = 0.5 * (left_per_reading(lumped_.law, shots_) +
-                                 left_per_reading(*lumped_.explanation, shots_));
-  return ball.chi_square > half_way * static_cast<double>(ball.samples);
+  const double law = together(gaps_of_shots(lumped_.law), shots_).reduced_chi_square;
+  const double explained = together(gaps_of_shots(*lumped_.explanation), shots_).reduced_chi_square;
+  const double most = law - share_worth_a_search * (law - explained);
+  return ball.chi_square > most * static_cast<double>(ball.samples);
 }
 
 FittedFem OwnBallFit::again(const FittedFem& near) const {

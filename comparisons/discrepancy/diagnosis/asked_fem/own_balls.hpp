@@ -5,6 +5,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fitted_fem_model.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/lumped_answer.hpp"
+#include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/hypothesis_fit.hpp"
 #include "comparisons/inference/calibration/observations.hpp"
 #include "lumped/problem/run_control.hpp"
@@ -25,6 +26,9 @@ bool is_hit(const Observations& all, std::size_t ball);
 std::vector<std::size_t> shots_for_fem(const Observations& seen, const Observations& all,
                                        std::size_t ball);
 
+/// What is left of these shots together.
+ShotGap together(const std::vector<ShotGap>& gaps, const std::vector<std::size_t>& shots);
+
 /// Every ball fitted in FE as one of a single branch on a rigid plate, on meshes cut for a guess: a
 /// first look that says where to cut.
 /// Errors: as fit_fem_model().
@@ -39,9 +43,10 @@ class OwnBallFit {
   OwnBallFit(const Observations& seen, std::vector<std::size_t> shots, const LumpedAnswer& lumped,
              const FemBelief& fem, const RunControl& control);
 
-  /// Is it of no use to look further? Effects beside the law explain the data, and FE's ball does
-  /// not take half of what they do.
-  /// Limit:  a ball that obeys a law with an effect stays one of a single branch
+  /// Is it of no use to look further? Effects beside the law explain the data, and FE's ball takes
+  /// less of what they do than is worth a search (share_worth_a_search).
+  /// Limit:  a ball that obeys a law with an effect stays one of a single branch, of a neo-Hookean
+  ///         law
   ///         -> test OwnBallOfFem.IsSearchedNoFurtherWhereTheLawExplainsMore
   bool is_behind(const FittedFem& ball) const;
 
