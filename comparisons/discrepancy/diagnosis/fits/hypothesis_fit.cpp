@@ -75,6 +75,11 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
       fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
 }
 
+/// Does a search leave no more than noise, so that there is nothing for another to find?
+bool leaves_noise(const CalibrationResult& found) {
+  return 2.0 * found.cost_after <= static_cast<double>(found.data);
+}
+
 /// The search that suits the noise, and the better of two where both may.
 CalibrationResult searched(const Observations& seen, const JointModel& model,
                            CalibrationProblem& problem, SearchEffort effort,
@@ -83,8 +88,10 @@ CalibrationResult searched(const Observations& seen, const JointModel& model,
   const bool looks_first = effort == SearchEffort::first_look;
   if (looks_first && !stages.empty()) stages.resize(1);
   auto by_stages = search_by_stages(stages, model, problem, control);
-  if (by_stages && !looks_first && acts_at_first_touch_alone(model.hypothesis())) return *by_stages;
-  CalibrationResult found = search_joint_model(model, problem, control);
+  if (by_stages && !looks_first && leaves_noise(*by_stages)) return *by_stages;
+  const bool is_steep = by_stages && !looks_first && acts_at_first_touch_alone(model.hypothesis());
+  CalibrationResult found = is_steep ? search_from_both(model, problem, control)
+                                     : search_joint_model(model, problem, control);
   if (by_stages && by_stages->cost_after < found.cost_after) return *by_stages;
   return found;
 }

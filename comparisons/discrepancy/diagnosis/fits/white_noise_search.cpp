@@ -49,19 +49,6 @@ double least_innovation(const Observations& seen) {
   return least;
 }
 
-/// The better of two searches: from where the unknowns start, and from where records fit best then.
-CalibrationResult search_from_both(const JointModel& model, CalibrationProblem problem,
-                                   const RunControl& control) {
-  std::vector<double> start;
-  for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
-  CalibrationProblem settled = problem;
-  CalibrationResult best = search_joint_model(model, problem, control);
-  start_at(model.with_settled_starts(std::move(start)), settled);
-  CalibrationResult other =
-      search_with_settled_starts(model, settled, calibrate(settled, control), control);
-  return other.cost_after < best.cost_after ? other : best;
-}
-
 /// Searches the hypothesis of `problem` under other noise, from where its unknowns start, and lets
 /// them start where that has ended; says how much is left per reading.
 double start_where_it_fits(const Observations& seen, const Hypothesis& hypothesis,
@@ -93,6 +80,18 @@ std::vector<Observations> with_white_noise_beside(const Observations& seen,
   for (const double share : {1.0, 0.1, 0.01})
     if (share > innovation || share == 1.0) stages.push_back(whitened(seen, share));
   return stages;
+}
+
+CalibrationResult search_from_both(const JointModel& model, CalibrationProblem problem,
+                                   const RunControl& control) {
+  std::vector<double> start;
+  for (const CalibrationParameter& unknown : problem.parameters) start.push_back(unknown.start);
+  CalibrationProblem settled = problem;
+  CalibrationResult best = search_joint_model(model, problem, control);
+  start_at(model.with_settled_starts(std::move(start)), settled);
+  CalibrationResult other =
+      search_with_settled_starts(model, settled, calibrate(settled, control), control);
+  return other.cost_after < best.cost_after ? other : best;
 }
 
 std::optional<CalibrationResult> search_by_stages(const std::vector<Observations>& stages,
