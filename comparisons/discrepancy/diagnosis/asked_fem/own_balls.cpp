@@ -74,6 +74,18 @@ const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
   });
 }
 
+/// Or has a search from elsewhere come back to where another has ended?
+bool has_other_times(const Material& a, const Material& b) {
+  constexpr double apart = 1.2;
+  const auto are_apart = [](const PronyBranch& x, const PronyBranch& y) {
+    return std::max(x.relaxation_time, y.relaxation_time) >
+           apart * std::min(x.relaxation_time, y.relaxation_time);
+  };
+  for (std::size_t k = 0; k < a.branches.size(); ++k)
+    if (are_apart(a.branches[k], b.branches[k])) return true;
+  return false;
+}
+
 /// Does the plate take half of what FE leaves without it?
 bool is_worth_having(const FittedFem& rigid, const FittedFem& moving) {
   constexpr double half = 0.5;
@@ -128,7 +140,9 @@ FittedFem OwnBallFit::of_other_times(FittedFem best) const {
       branch.relaxation_time *= factor;
       branch.ratio /= factor;  // fast branches act by ratio times time
     }
-    if (auto other = fitted(start, SearchDepth::whole);
+    const auto near = fitted(start, SearchDepth::near);
+    if (!near || !has_other_times(near->material, best.material)) continue;
+    if (auto other = fitted(*near, SearchDepth::whole);
         other && other->chi_square < best.chi_square)
       best = std::move(*other);
   }
