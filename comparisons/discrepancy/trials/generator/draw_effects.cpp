@@ -6,7 +6,7 @@
 namespace trials {
 namespace {
 
-constexpr int purpose = 2;
+constexpr int effect_purpose = 2;
 
 const std::vector<std::string> physical = {"elastic", "rate",    "memory",
                                            "history", "surface", "dynamics"};
@@ -109,7 +109,7 @@ HiddenEffect draw_form(const std::vector<const EffectForm*>& from, Random& rando
 
 void draw_effects(Trial& trial) {
   const TrialRequest& request = trial.request;
-  Random random({request.seed, request.set, request.number, purpose});
+  Random random({request.seed, request.set, request.number, effect_purpose});
   trial.kind = !request.only.empty() ? request.only
                : in_fem(request)     ? draw_fem_kind(random)
                                      : draw_kind(random);

@@ -7,7 +7,7 @@
 namespace trials {
 namespace {
 
-constexpr int purpose = 101;
+constexpr int rival_purpose = 101;
 constexpr int drawn_of_each = 2;  // secondary numbers, such as times and places
 
 const std::string outside = "out_of_family";
@@ -65,7 +65,7 @@ Rivals rivals_of(const Trial& trial) {
   const NoiseFree free = simulate_trial(trial, trial.effects);
   const Refit truth = what_shows(trial, trial.effects, free.samplings);
   const EffectForm* single = trial.effects.size() == 1 ? trial.effects.front().form : nullptr;
-  Random random({trial.request.seed, trial.request.set, trial.request.number, purpose});
+  Random random({trial.request.seed, trial.request.set, trial.request.number, rival_purpose});
   for (const EffectForm& form : all_forms()) {
     if (form.family == outside) continue;
     const bool other_family = !single || form.family != single->family;
