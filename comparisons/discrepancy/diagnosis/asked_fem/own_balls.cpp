@@ -74,7 +74,7 @@ const FittedFem& least_of(const std::vector<FittedFem>& kinds) {
   });
 }
 
-/// Or has a search from elsewhere come back to where another has ended?
+/// Has a search from other times not come back to those where another has ended?
 bool has_other_times(const Material& a, const Material& b) {
   constexpr double apart = 1.2;
   const auto are_apart = [](const PronyBranch& x, const PronyBranch& y) {
@@ -140,11 +140,10 @@ FittedFem OwnBallFit::of_other_times(FittedFem best) const {
       branch.relaxation_time *= factor;
       branch.ratio /= factor;  // fast branches act by ratio times time
     }
-    const auto near = fitted(start, SearchDepth::near);
-    if (!near || !has_other_times(near->material, best.material)) continue;
-    if (auto other = fitted(*near, SearchDepth::whole);
-        other && other->chi_square < best.chi_square)
-      best = std::move(*other);
+    auto other = fitted(start, SearchDepth::near);
+    if (other && has_other_times(other->material, best.material))
+      other = fitted(*other, SearchDepth::whole);
+    if (other && other->chi_square < best.chi_square) best = std::move(*other);
   }
   return best;
 }
