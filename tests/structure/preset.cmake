@@ -9,7 +9,9 @@ function(run)
   message("${text}")
 endfunction()
 
-run(${CMAKE_COMMAND} --preset ${PRESET} -B ${FOLDER} -DREBOUND_BENCHMARKS=OFF)
+# Without optimisation, for what is built is used for seconds.
+run(${CMAKE_COMMAND} --preset ${PRESET} -B ${FOLDER} -DREBOUND_BENCHMARKS=OFF
+  -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CURRENT_LIST_DIR}/without_optimisation)
 string(REPLACE "," ";" TARGETS "${TARGETS}")
 run(${CMAKE_COMMAND} --build ${FOLDER} --target ${TARGETS})
 run(${CMAKE_CTEST_COMMAND} --test-dir ${FOLDER} --no-tests=error --output-on-failure
