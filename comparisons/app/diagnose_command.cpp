@@ -28,6 +28,7 @@ struct DiagnoseOptions {
   std::uint64_t seed = 1;
   bool fail_on_gap = false;
   bool no_bootstrap = false;
+  bool no_fem = false;
 };
 
 std::string diagnose_help() {
@@ -64,6 +65,10 @@ DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& docu
   request.believed_effects = believed.effects;
   request.seed = options.seed;
   if (options.no_bootstrap) request.rules.bootstrap_draws = 0;
+  if (options.no_fem && believed.fem)
+    throw Error(ExitCode::bad_input, "the believed model is one of finite elements",
+                {.key = "--no-fem", .allowed = "with a lumped model"});
+  request.ask_fem = !options.no_fem;
   if (!options.mesh.empty()) {
     request.mesh_file = std::filesystem::absolute(options.mesh).string();
     for (const Dataset& dataset : request.datasets)  // refused before anything is fitted
@@ -149,6 +154,8 @@ Action declare_diagnose(CLI::App& command) {
   command.add_option("--seed", options->seed, "Seed of the draws behind the thresholds");
   command.add_flag("--no-bootstrap", options->no_bootstrap,
                    "Do not repeat the choice between candidates on data drawn anew");
+  command.add_flag("--no-fem", options->no_fem,
+                   "Do not ask finite elements: the lumped law's answer alone, in seconds");
   command.add_flag("--fail-on-gap", options->fail_on_gap, "Exit 1 when model and data disagree");
   command.footer(diagnose_help);
   return [options](const Session& session) { return run_diagnose(session, *options); };

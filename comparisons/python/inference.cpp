@@ -44,6 +44,7 @@ struct DiagnoseOptions {
   bool hold_out = true;
   std::uint64_t seed = 1;
   bool bootstrap = true;
+  bool ask_fem = true;
 };
 
 py::object diagnose_from(const py::object& data, const Source& model,
@@ -61,6 +62,10 @@ py::object diagnose_from(const py::object& data, const Source& model,
   request.hold_out = options.hold_out;
   request.held_out_speed = options.held_out_speed;
   if (!options.bootstrap) request.rules.bootstrap_draws = 0;
+  if (!options.ask_fem && believed.fem)
+    throw Error(ExitCode::bad_input, "the believed model is one of finite elements",
+                {.key = "ask_fem", .value = "False", .allowed = "with a lumped model"});
+  request.ask_fem = options.ask_fem;
   return to_python(interruptible([document, request](const RunControl& control) {
     Json found;
     document.locating([&] { found = json_with_error_rates(diagnose(request, control)); });
@@ -95,19 +100,22 @@ void declare_inference(py::module_& module) {
       "diagnose",
       [](const py::object& data, const py::object& model, const py::object& text,
          const std::optional<double>& held_out_speed, bool hold_out, std::uint64_t seed,
-         bool bootstrap, const py::kwargs& tables) {
+         bool bootstrap, bool ask_fem, const py::kwargs& tables) {
         return diagnose_from(data, {model, text, tables},
                              {.held_out_speed = held_out_speed,
                               .hold_out = hold_out,
                               .seed = seed,
-                              .bootstrap = bootstrap});
+                              .bootstrap = bootstrap,
+                              .ask_fem = ask_fem});
       },
       py::arg("data"), py::arg("believed") = py::none(), py::kw_only(),
       py::arg("text") = py::none(), py::arg("held_out_speed") = py::none(),
       py::arg("hold_out") = true, py::arg("seed") = 1, py::arg("bootstrap") = true,
+      py::arg("ask_fem") = true,
       "Where a believed model and data part, and which effect is missing, as\n"
       "`rebound diagnose --json` prints it. `data`: a folder, a Dataset, or a list of them.\n"
-      "The believed model is an impact file, its text, or its tables as keyword arguments.");
+      "The believed model is an impact file, its text, or its tables as keyword arguments.\n"
+      "Without `ask_fem` the lumped law answers alone, in seconds.");
 }
 
 }  // namespace rebound::python

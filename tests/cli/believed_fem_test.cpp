@@ -95,5 +95,14 @@ TEST_F(BelievedFem, TheImplicitSchemeIsRefused) {
   EXPECT_NE(outcome.errors.find("model.scheme"), std::string::npos) << outcome.errors;
 }
 
+TEST_F(BelievedFem, IsNotDiagnosedWithoutFiniteElements) {
+  folder.write("experiment.toml", experiment);
+  folder.write("believed.toml", elastic);
+  ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
+  const Outcome outcome = rebound({"diagnose", "x/data", "--model", "believed.toml", "--no-fem"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.errors.find("--no-fem"), std::string::npos) << outcome.errors;
+}
+
 }  // namespace
 }  // namespace rebound::testing

@@ -62,23 +62,23 @@ TEST_F(CampaignBases, AMemberIsTheCalibrationOfItsFile) {
 
 TEST_F(CampaignBases, AMemberIsTheDiagnosisOfItsExperiment) {
   folder.write("diagnosis.toml",
-               "schema = 1\nbelieved = \"ball.toml\"\nexperiment = \"synthesis.toml\"\n"
-               "ask_fem = true\n");
+               "schema = 1\nbelieved = \"ball.toml\"\nexperiment = \"synthesis.toml\"\n");
   const auto table =
       rows(campaign_of("diagnosis.toml", "experiment.model.effect[0].size", "0.4, 0.8"), "store");
   ASSERT_EQ(table.size(), 2u);
   json_of({"synthesize", "synthesis.toml", "--out", "made", "--json"});
   const auto single =
-      json_of({"diagnose", "made/data", "--model", "ball.toml", "--out", "out", "--json"});
+      json_of({"diagnose", "made/data", "--model", "ball.toml", "--no-fem", "--json"});
   EXPECT_EQ(table[0].at("verdict"), single["verdict"].dump());
   EXPECT_EQ(table[0].at("verdict"), "\"missing\"");
   EXPECT_EQ(table[0].at("name"), single["effects"][0]["name"].dump());
   EXPECT_EQ(std::stod(table[0].at("size")), single["effects"][0]["size"].get<double>());
   EXPECT_EQ(std::stod(table[0].at("gap_after")), single["gap"]["after"].get<double>());
   EXPECT_GT(std::stod(table[1].at("size")), std::stod(table[0].at("size")));
-  // The same data in a folder give the same.
+  // The same data in a folder give the same, and FE takes nothing of a name that is right.
   folder.write("diagnosis.toml",
-               "schema = 1\nbelieved = \"ball.toml\"\ndata = [\"made/data\"]\nseed = 1\n");
+               "schema = 1\nbelieved = \"ball.toml\"\ndata = [\"made/data\"]\nseed = 1\n"
+               "ask_fem = true\n");
   const auto stored = rows(campaign_of("diagnosis.toml", "seed", "1"), "stored");
   ASSERT_EQ(stored.size(), 1u);
   EXPECT_EQ(stored[0].at("size"), table[0].at("size"));

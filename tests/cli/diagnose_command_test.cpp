@@ -85,9 +85,20 @@ TEST_F(DiagnoseCommand, FindsWhatIsHiddenAndItsModelRuns) {
   EXPECT_TRUE(there("d/diagnosis.json"));
 }
 
+TEST_F(DiagnoseCommand, TheLawAnswersAloneWhereFiniteElementsAreNotAsked) {
+  ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
+  const auto found =
+      json_of(rebound({"diagnose", "x/data", "--model", "believed.toml", "--no-fem", "--json"}));
+  EXPECT_EQ(found["verdict"], "missing");
+  EXPECT_EQ(found["effects"][0]["name"], "hysteresis");
+  EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "not-run");
+  EXPECT_TRUE(found["in_fem"].empty());
+}
+
 TEST_F(DiagnoseCommand, AGapFailsOnRequest) {
   ASSERT_EQ(rebound({"synthesize", "experiment.toml", "--out", "x"}).exit_code, 0);
-  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--fail-on-gap"}).exit_code,
+  EXPECT_EQ(rebound({"diagnose", "x/data", "--model", "believed.toml", "--no-fem", "--fail-on-gap"})
+                .exit_code,
             1);
   EXPECT_TRUE(there("results/diagnosis-data/report.html"));
 }

@@ -211,6 +211,9 @@ class ExperimentTest(WithExamples):
             if key in expected:
                 self.assertEqual(found[key], expected[key], key)
         self.assertEqual(set(found), set(expected) - {"extended_models"} | {"extended_model"})
+        alone = ri.diagnose(out / "data", model, bootstrap=False, ask_fem=False)
+        self.assertEqual(alone["verdict"], "missing")
+        self.assertEqual(alone["effects"][0]["tiers"]["fem"], "not-run")
 
     def test_interrupted_diagnosis(self):
         dataset, _ = ri.synthesize(self.folder / "synthesis.toml")
