@@ -115,7 +115,7 @@ TEST_F(TrialsCommandTest, ATableAndFoldersAreNotTakenTogether) {
 }
 
 TEST_F(TrialsCommandTest, AnInterruptedRunGoesOnWhereItWas) {
-  const Outcome made = run_program({.arguments = {TRIAL_GENERATOR, "--out", "slow", "--count", "8",
+  const Outcome made = run_program({.arguments = {TRIAL_GENERATOR, "--out", "slow", "--count", "3",
                                                   "--seed", "5", "--only", "pair"},
                                     .folder = folder.path()});
   ASSERT_EQ(made.exit_code, 0) << made.errors;
