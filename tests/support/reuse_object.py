@@ -72,9 +72,11 @@ def reused(arguments):
     """What went into the object that was taken over; nothing where there is none to take."""
     wanted = following(arguments, "-o")
     done = pathlib.Path(DONE_BUILD, wanted)
+    if not wanted or not done.exists() or not pathlib.Path(DONE_BUILD, "build.ninja").exists():
+        return []
     commands = json.loads(pathlib.Path(DONE_BUILD, "compile_commands.json").read_bytes())
     command = next((each["command"] for each in commands if f" -o {wanted} " in each["command"]), "")
-    if not wanted or not done.exists() or not is_same_command(without_dependency_flags(arguments), shlex.split(command)):
+    if not is_same_command(without_dependency_flags(arguments), shlex.split(command)):
         return []
     said = subprocess.run(["ninja", "-C", DONE_BUILD, "-t", "deps", wanted], capture_output=True, text=True, check=True)
     head, *files = said.stdout.split("\n")
