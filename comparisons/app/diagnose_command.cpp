@@ -109,7 +109,7 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
   const DiagnosisRequest request = request_of(options, document);
   const std::filesystem::path out = folder_for(session, options);
   make_writable_folder(out);
-  const Diagnosis diagnosis = [&] {
+  Diagnosis diagnosis = [&] {
     ProgressLine progress("diagnosis");
     try {
       return diagnose(request, progress.control());
@@ -117,6 +117,7 @@ ExitCode run_diagnose(const Session& session, const DiagnoseOptions& options) {
       throw document.located(error);
     }
   }();
+  if (options.no_fem) diagnosis.warnings.push_back("finite elements were not asked (--no-fem)");
   const Provenance provenance = provenance_of(session, options.model, document.text());
   Json json = json_with_error_rates(diagnosis);
   const std::vector<std::string> extended = write_extended_models(diagnosis, out);

@@ -93,6 +93,7 @@ TEST_F(DiagnoseCommand, TheLawAnswersAloneWhereFiniteElementsAreNotAsked) {
   EXPECT_EQ(found["effects"][0]["name"], "hysteresis");
   EXPECT_EQ(found["effects"][0]["tiers"]["fem"], "not-run");
   EXPECT_TRUE(found["in_fem"].empty());
+  EXPECT_NE(found["warnings"].dump().find("--no-fem"), std::string::npos) << "said on the page";
 }
 
 TEST_F(DiagnoseCommand, AGapFailsOnRequest) {
