@@ -132,9 +132,7 @@ TEST(AtlasTest, TheLawThatIsAdvisedHasTheLeastError) {
   for (const AtlasEntry& entry : atlas.entries) {
     const AtlasAdvice advice = advice_of(entry, 0, 2);
     for (const auto& cells : entry.cells)
-      if (cells[0][2].failure.empty()) {
-        EXPECT_GE(cells[0][2].force_rms, advice.force_rms);
-      }
+      if (cells[0][2].failure.empty()) EXPECT_GE(cells[0][2].force_rms, advice.force_rms);
   }
 }
 
