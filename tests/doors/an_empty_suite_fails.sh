@@ -18,7 +18,7 @@ PROGRAM
 chmod +x program
 list() {
   "$cmake" -DNAME=verify -DPROGRAM="$scratch/program" -DOUTPUT="$scratch/CTestTestfile.cmake" \
-    -DLABELS=fast -DTIMEOUT=10 -P "$source/comparisons/setup/cmake/list_suites.cmake" >/dev/null 2>&1
+    -DLABELS=fast "-DLONG=${1:-}" -DTIMEOUT=10 -P "$source/comparisons/setup/cmake/list_suites.cmake" >/dev/null 2>&1
 }
 fail() { echo "$*" >&2; exit 1; }
 
@@ -26,6 +26,9 @@ echo Impact >suite.txt
 list || fail 'one suite was refused'
 "$ctest" --no-tests=error >ctest.log || fail 'an entry that runs its test failed'
 grep -q 'verify.Impact' ctest.log || fail 'the suite has no entry'
+! list Vanished || fail 'a long suite that the program does not list was accepted'
+list Impact
+"$ctest" --no-tests=error -L long >ctest.log || fail 'a suite that is named long has no such label'
 echo Collision >suite.txt
 ! "$ctest" --no-tests=error >ctest.log || fail 'the entry of a suite that was renamed away passed'
 list
