@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "comparisons/app/commands.hpp"
 #include "comparisons/app/progress_line.hpp"
@@ -57,15 +58,12 @@ std::filesystem::path folder_for(const Session& session, const DiagnoseOptions& 
 }
 
 DiagnosisRequest request_of(const DiagnoseOptions& options, const Document& document) {
-  DiagnosisRequest request;
-  for (const auto& folder : options.folders) request.datasets.push_back(read_dataset(folder));
-  const BelievedModel believed = read_believed_model(document, request.datasets);
-  request.believed = believed.model;
-  request.believed_fem = believed.fem;
-  request.believed_effects = believed.effects;
+  std::vector<Dataset> datasets;
+  for (const auto& folder : options.folders) datasets.push_back(read_dataset(folder));
+  DiagnosisRequest request = request_for(document, std::move(datasets));
   request.seed = options.seed;
   if (options.no_bootstrap) request.rules.bootstrap_draws = 0;
-  if (options.no_fem && believed.fem)
+  if (options.no_fem && request.believed_fem)
     throw Error(ExitCode::bad_input, "the believed model is one of finite elements",
                 {.key = "--no-fem", .allowed = "with a lumped model"});
   request.ask_fem = !options.no_fem;
@@ -156,7 +154,7 @@ Action declare_diagnose(CLI::App& command) {
   command.add_flag("--no-bootstrap", options->no_bootstrap,
                    "Do not repeat the choice between candidates on data drawn anew");
   command.add_flag("--no-fem", options->no_fem,
-                   "Do not ask finite elements: the lumped law's answer alone, in seconds");
+                   "Do not ask finite elements: the lumped law's answer alone, sooner");
   command.add_flag("--fail-on-gap", options->fail_on_gap, "Exit 1 when model and data disagree");
   command.footer(diagnose_help);
   return [options](const Session& session) { return run_diagnose(session, *options); };

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "comparisons/app/calibrate_law.hpp"
 #include "comparisons/app/calibrate_material.hpp"
@@ -49,20 +50,18 @@ struct DiagnoseOptions {
 
 py::object diagnose_from(const py::object& data, const Source& model,
                          const DiagnoseOptions& options) {
-  DiagnosisRequest request;
+  std::vector<Dataset> datasets;
   const bool several = py::isinstance<py::list>(data) || py::isinstance<py::tuple>(data);
   for (const py::handle one : several ? py::list(data) : py::list(py::make_tuple(data)))
-    request.datasets.push_back(py::isinstance<Dataset>(one) ? one.cast<Dataset>()
-                                                            : read_dataset(path_of(one)));
+    datasets.push_back(py::isinstance<Dataset>(one) ? one.cast<Dataset>()
+                                                    : read_dataset(path_of(one)));
   const Document document = document_of(model, "lumped");
-  const BelievedModel believed = read_believed_model(document, request.datasets);
-  request.believed = believed.model;
-  request.believed_effects = believed.effects;
+  DiagnosisRequest request = request_for(document, std::move(datasets));
   request.seed = options.seed;
   request.hold_out = options.hold_out;
   request.held_out_speed = options.held_out_speed;
   if (!options.bootstrap) request.rules.bootstrap_draws = 0;
-  if (!options.ask_fem && believed.fem)
+  if (!options.ask_fem && request.believed_fem)
     throw Error(ExitCode::bad_input, "the believed model is one of finite elements",
                 {.key = "ask_fem", .value = "False", .allowed = "with a lumped model"});
   request.ask_fem = options.ask_fem;
@@ -115,7 +114,7 @@ void declare_inference(py::module_& module) {
       "Where a believed model and data part, and which effect is missing, as\n"
       "`rebound diagnose --json` prints it. `data`: a folder, a Dataset, or a list of them.\n"
       "The believed model is an impact file, its text, or its tables as keyword arguments.\n"
-      "Without `ask_fem` the lumped law answers alone, in seconds.");
+      "Without `ask_fem` the lumped law answers alone, sooner.");
 }
 
 }  // namespace rebound::python

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/describe_fem.hpp"
@@ -101,6 +102,16 @@ BelievedModel read_believed_model(const Document& document, const std::vector<Da
   if (document.root().contains("sphere") && datasets.size() == 1)
     check_same_ball(document, file.impact.problem.sphere, datasets.front());
   return {.model = file.impact.problem.model, .effects = file.impact.effects};
+}
+
+DiagnosisRequest request_for(const Document& document, std::vector<Dataset> datasets) {
+  BelievedModel model = read_believed_model(document, datasets);
+  DiagnosisRequest request;
+  request.datasets = std::move(datasets);
+  request.believed = std::move(model.model);
+  request.believed_fem = std::move(model.fem);
+  request.believed_effects = std::move(model.effects);
+  return request;
 }
 
 std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball) {

@@ -24,6 +24,11 @@ struct BelievedModel {
 ///         sphere that is not that of the data.
 BelievedModel read_believed_model(const Document& document, const std::vector<Dataset>& datasets);
 
+/// A diagnosis of these data under the model that a file believes, of either tier; what else may be
+/// asked is as by default.
+/// Errors: as `read_believed_model`.
+DiagnosisRequest request_for(const Document& document, std::vector<Dataset> datasets);
+
 /// The model that a diagnosis ends with, as an impact file: numbers of one ball as fitted, effects
 /// with their fitted sizes, the impact of the ball's first shot.
 std::string extended_model_toml(const Diagnosis& diagnosis, std::size_t ball = 0);

@@ -46,13 +46,8 @@ std::vector<TrialPlace> places_of(const TrialFolder& folder, TrialStore& store) 
 }
 
 DiagnosisRequest request_of(const std::filesystem::path& trial, const TrialProtocol& protocol) {
-  DiagnosisRequest request;
-  request.datasets = {read_dataset(trial.string())};
-  const BelievedModel believed =
-      read_believed_model(Document::load((trial / "model.toml").string()), request.datasets);
-  request.believed = believed.model;
-  request.believed_fem = believed.fem;
-  request.believed_effects = believed.effects;
+  DiagnosisRequest request =
+      request_for(Document::load((trial / "model.toml").string()), {read_dataset(trial.string())});
   request.ask_fem = protocol.ask_fem;
   request.rules = protocol.rules;
   request.seed = protocol.seed;

@@ -111,12 +111,7 @@ struct DiagnosisBase final : Campaign::Base {
   }
 
   DiagnosisRequest request_of(const DiagnosisFile& varied, std::vector<Dataset> datasets) const {
-    DiagnosisRequest request;
-    BelievedModel model = read_believed_model(*believed, datasets);
-    request.datasets = std::move(datasets);
-    request.believed = std::move(model.model);
-    request.believed_fem = std::move(model.fem);
-    request.believed_effects = std::move(model.effects);
+    DiagnosisRequest request = request_for(*believed, std::move(datasets));
     request.held_out_speed = varied.held_out_speed;
     request.hold_out = varied.hold_out;
     request.ask_fem = varied.ask_fem;

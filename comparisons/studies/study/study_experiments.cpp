@@ -24,12 +24,7 @@ std::string hidden_in(const SynthesisFile& file) {
 ExperimentStudy study_experiment(const StudyExperiment& experiment, const RunControl& control) {
   const SynthesisFile file = read_synthesis(Document::load(experiment.synthesis));
   const Synthesis made = synthesize(file, simulator_of(file, control), control);
-  DiagnosisRequest request;
-  request.datasets = {made.dataset};
-  const BelievedModel believed =
-      read_believed_model(Document::load(experiment.model), request.datasets);
-  request.believed = believed.model;
-  request.believed_effects = believed.effects;
+  const DiagnosisRequest request = request_for(Document::load(experiment.model), {made.dataset});
   return {.label = experiment.label,
           .hidden = hidden_in(file),
           .diagnosis = diagnose(request, control)};

@@ -127,6 +127,19 @@ TEST(DiagnoseTest, TheExtendedModelIsAnImpactFileThatAgrees) {
   EXPECT_EQ(diagnose(request).verdict, DiagnosisVerdict::agrees);
 }
 
+TEST(DiagnoseTest, ABelievedFemModelIsPartOfTheRequest) {
+  const auto document = Document::parse(
+      "schema = 1\n[model]\ntier = \"fem\"\n[model.material]\nelastic = "
+      "\"neo-hookean\"\nyoungs_modulus = \"10 MPa\"\n"
+      "poisson_ratio = 0.4\n",
+      "believed.toml");
+  const SynthesisFile file = experiment_with({}, 10);
+  const DiagnosisRequest request =
+      request_for(document, {synthesize(file, simulator_of(file, {})).dataset});
+  ASSERT_TRUE(request.believed_fem);
+  EXPECT_EQ(request.believed_fem->material.youngs_modulus, 10e6);
+}
+
 TEST(DiagnoseTest, TheSameSeedGivesTheSameDiagnosis) {
   const SynthesisFile file = experiment_with({{"hysteresis", 0.25, {}}}, 11);
   const Diagnosis one = diagnose_hidden(file), two = diagnose_hidden(file);
