@@ -29,7 +29,7 @@ inline double elastic_factor(const ElasticFactors& factors, double ratio) {
         1.0 + factors.stiffening * ratio *
                   std::pow(ratio / reference_deflection_share, factors.stiffening_power - 1.0);
   if (factors.softening != 0.0)
-    product *= 1.0 + factors.softening * std::expm1(-ratio / factors.softening_depth);
+    product *= 1.0 - factors.softening * (1.0 - std::exp(-ratio / factors.softening_depth));
   if (const double beyond = ratio - factors.densification_onset;
       factors.densification != 0.0 && beyond > 0.0)
     product *= 1.0 + factors.densification * beyond * beyond;

@@ -3,6 +3,7 @@
 // exclude process start and include making the law and the shared scalars.
 #include <benchmark/benchmark.h>
 
+#include <numbers>
 #include <string>
 
 #include "lumped/integration/closed_forms.hpp"
@@ -49,6 +50,23 @@ void trace_composed(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(simulate_fast(problem));
 }
 BENCHMARK(trace_composed)->Unit(benchmark::kMicrosecond);
+
+/// As searches run an impact: 241 samples at 1e-7, on a plate that rings twelve times in a contact.
+void ringing_plate(benchmark::State& state, double softening, double relaxation_ratio) {
+  auto problem = problem_at(1e-7);
+  problem.controls.samples = 201;
+  problem.controls.finer_ends = true;
+  const double contact_time = simulate_fast(problem).scalars.contact_time;
+  Mechanisms& mechanisms = problem.model.mechanisms;
+  const double omega = 12.0 * 2.0 * std::numbers::pi / contact_time;
+  mechanisms.plate.stiffness = mechanisms.plate.mass * omega * omega;
+  mechanisms.elastic.softening = softening;
+  mechanisms.relaxation = {.ratio = relaxation_ratio, .relaxation_time = 0.3 * contact_time};
+  for (auto _ : state) benchmark::DoNotOptimize(simulate_fast(problem));
+}
+BENCHMARK_CAPTURE(ringing_plate, alone, 0.0, 0.0)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ringing_plate, of_a_softening_ball, 0.3, 0.0)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ringing_plate, of_a_relaxing_ball, 0.0, 0.3)->Unit(benchmark::kMicrosecond);
 
 /// The integrator alone, at 1e-6, 1e-8, 1e-10: with samples, and end only.
 void integrator(benchmark::State& state, bool samples) {

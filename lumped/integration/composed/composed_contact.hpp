@@ -100,6 +100,8 @@ class ComposedContact {
   /// plate, less the gap. Touching: the lesser of both, a millionth of its scale above zero. Gone:
   /// reach of the ringing parts beyond first touch.
   double indicator(Event event, const Phase& phase, const State& y) const;
+  /// The same where the derivative at y is known.
+  double indicator(Event event, const Phase& phase, const State& y, const State& rate) const;
 
   /// The phase after `event`, its energy step counted in y; nothing at the end. Where it is nothing
   /// or open, the contact has ended, for now at least.
@@ -139,6 +141,7 @@ class ComposedContact {
   double deflection_left(const Phase& phase, const State& y) const;
   double stored_energy(const Phase& phase, const State& y) const;
   bool remembers() const;
+  bool pulls() const { return pull_off_ != 0.0 || mechanisms_.pull.act(); }
   bool may_touch_again(const State& y) const;
 
   AnyLaw law_;

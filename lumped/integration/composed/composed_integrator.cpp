@@ -23,6 +23,10 @@ constexpr std::size_t most_use = ComposedContact::further_relaxed;
 
 using Event = ComposedContact::Event;
 
+/// Memory of the last integrator of this thread. Steps of one impact take a tenth of a megabyte:
+/// asking the system for it anew takes a fifth of the time of the impact.
+thread_local std::vector<ComposedStepEnd> memory_for_steps;
+
 Error no_way_on() {
   return {ExitCode::solver_failed,
           "a mechanism leaves its range during the contact: the force has no value beyond (the "
@@ -41,8 +45,11 @@ ComposedIntegrator::ComposedIntegrator(const ComposedContact& contact)
   const State scales = contact.state_scales();
   for (std::size_t i = 0; i < scales.size(); ++i)
     weight_[i] = 1.0 / (contact.setup().relative_tolerance * scales[i]);
-  step_ends_count_.reserve(128);
+  step_ends_.swap(memory_for_steps);
+  step_ends_.clear();
 }
+
+ComposedIntegrator::~ComposedIntegrator() { step_ends_.swap(memory_for_steps); }
 
 ComposedIntegrator::Step ComposedIntegrator::step_of(const Start& start, double length) const {
   const auto field = [&](const State& y) {
@@ -69,15 +76,25 @@ double ComposedIntegrator::error_norm(const Step& step) const {
 }
 
 double ComposedIntegrator::indicator_after(Event event, const Start& start, double length) const {
-  return contact_.indicator(event, start.phase, step_of(start, length).y);
+  const Step step = step_of(start, length);
+  return contact_.indicator(event, start.phase, step.y, step.derivative);
 }
 
-/// Length of the step that ends where the indicator is zero; it changes sign within `length`.
-double ComposedIntegrator::locate(Event event, const Start& start, double length) const {
+void ComposedIntegrator::watch(Start& start) const {
+  start.watched = contact_.event_functions(start.phase);
+  for (int i = 0; i < start.watched.count; ++i)
+    start.indicators[i] =
+        contact_.indicator(start.watched.list[i].event, start.phase, start.state, start.rate);
+}
+
+/// Length of the step that ends where the indicator is zero; it changes sign from `before` within
+/// `length`.
+double ComposedIntegrator::locate(Event event, const Start& start, double before,
+                                  double length) const {
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
       [&](double h) { return indicator_after(event, start, h); }, 0.0, length,
-      contact_.indicator(event, start.phase, start.state), indicator_after(event, start, length),
+      before, indicator_after(event, start, length),
       boost::math::tools::eps_tolerance<double>(50), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
@@ -86,15 +103,16 @@ ComposedIntegrator::Found ComposedIntegrator::first_event(const Start& start, co
                                                           double length) const {
   Found found;
   double limit = length;
-  const auto event_functions = contact_.event_functions(start.phase);
-  for (int i = 0; i < event_functions.count; ++i) {
-    const auto [event, falling] = event_functions.list[i];
+  for (int i = 0; i < start.watched.count; ++i) {
+    const auto [event, falling] = start.watched.list[i];
     const double sign = falling ? 1.0 : -1.0;
-    if (!(sign * contact_.indicator(event, start.phase, start.state) > 0.0)) continue;
-    const double after = found.any ? indicator_after(event, start, limit)
-                                   : contact_.indicator(event, start.phase, step.y);
+    found.indicators[i] = contact_.indicator(event, start.phase, step.y, step.derivative);
+    if (!(sign * start.indicators[i] > 0.0)) continue;
+    const double after = found.any ? indicator_after(event, start, limit) : found.indicators[i];
     if (!(sign * after <= 0.0)) continue;  // a NaN is left to the error of the next step
-    found = {event, locate(event, start, limit), true};
+    found.event = event;
+    found.length = locate(event, start, start.indicators[i], limit);
+    found.any = true;
     // A force that vanishes together with the deflection has a flat zero there:
     // another event counts only when it comes clearly before.
     limit = found.length * (1.0 - 1e-9);
@@ -103,34 +121,37 @@ ComposedIntegrator::Found ComposedIntegrator::first_event(const Start& start, co
 }
 
 void ComposedIntegrator::keep(const Start& start, const Step& step, double length) {
-  step_ends_count_.push_back(
+  step_ends_.push_back(
       {start.time, length, start.phase, start.state, start.rate, step.y, step.derivative});
 }
 
 /// Goes over to the phase after the event; true when the contact has ended.
 bool ComposedIntegrator::finish_if_over(const Found& found, Start& start) {
   if (found.event == Event::gone) {
-    step_ends_count_.resize(step_ends_at_release_);
+    step_ends_.resize(step_ends_at_release_);
     return true;
   }
   const ComposedEnd here{start.time, start.state, start.phase};
   const auto next = contact_.next_phase(found.event, start.phase, start.state);
   if (!next || next->kind == ContactPhase::Kind::open) {
     end_ = here;
-    step_ends_at_release_ = step_ends_count_.size();
+    step_ends_at_release_ = step_ends_.size();
   }
   if (!next) return true;
   start.phase = *next;
   contact_.derivative(start.phase, start.state, start.rate);
+  watch(start);
   return false;
 }
 
 const ComposedEnd& ComposedIntegrator::integrate() {
   const ContactScales& scales = contact_.scales();
   const double tolerance = contact_.setup().relative_tolerance;
-  Start start{.time = 0.0, .phase = {}, .state = contact_.initial_state(), .rate = {}};
+  Start start;
+  start.state = contact_.initial_state();
   contact_.derivative(start.phase, start.state, start.rate);
-  step_ends_count_.clear();
+  watch(start);
+  step_ends_.clear();
   double h = scales.time * std::pow(tolerance, 0.4);  // forces start with t^1.5
   int events = 0;
   for (int attempt = 0; attempt < contact_.setup().most_steps; ++attempt) {
@@ -149,7 +170,10 @@ const ComposedEnd& ComposedIntegrator::integrate() {
         step = step_of(start, length);
       }
       keep(start, step, length);
-      start = {start.time + length, start.phase, step.y, step.derivative};
+      start.time += length;
+      start.state = step.y;
+      start.rate = step.derivative;
+      start.indicators = found.indicators;
       if (found.any && finish_if_over(found, start)) {
         require_rebound({.velocity = end_.state[ComposedContact::velocity]}, contact_.setup());
         return end_;
@@ -171,8 +195,8 @@ Trace ComposedIntegrator::sample(const LumpedControls& controls) const {
   instants.pop_back();  // the end has a state of its own
   std::size_t k = 0;
   for (const double instant : instants) {
-    while (k + 1 < step_ends_count_.size() && step_ends_count_[k + 1].time <= instant) ++k;
-    const ComposedStepEnd& step_end = step_ends_count_[k];
+    while (k + 1 < step_ends_.size() && step_ends_[k + 1].time <= instant) ++k;
+    const ComposedStepEnd& step_end = step_ends_[k];
     const double fraction = (instant - step_end.time) / step_end.length;
     recorder.record(instant, step_end.phase,
                     states_used_ == most_use ? state_within<most_use>(step_end, fraction)

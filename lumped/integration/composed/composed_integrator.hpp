@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 #include <vector>
 
 #include "lumped/integration/composed/composed_contact.hpp"
@@ -57,35 +59,45 @@ ComposedContact::State state_within(const ComposedStepEnd& step_end, double frac
 class ComposedIntegrator {
  public:
   explicit ComposedIntegrator(const ComposedContact& contact);
+  ~ComposedIntegrator();
+  ComposedIntegrator(const ComposedIntegrator&) = delete;
+  ComposedIntegrator& operator=(const ComposedIntegrator&) = delete;
 
   const ComposedEnd& integrate();
 
   /// At the instants of fill_sample_instants().
   Trace sample(const LumpedControls& controls) const;
 
-  const std::vector<ComposedStepEnd>& step_ends() const { return step_ends_count_; }
+  const std::vector<ComposedStepEnd>& step_ends() const { return step_ends_; }
 
  private:
   using State = ComposedContact::State;
   using Event = ComposedContact::Event;
   using Step = DormandPrinceStep<ComposedContact::states>;
 
+  using EventFunctions = ComposedContact::EventFunctions;
+  using Indicators = std::array<double, std::tuple_size_v<decltype(EventFunctions::list)>>;
+
   struct Start {
     double time = 0.0;
     ContactPhase phase;
     State state{}, rate{};
+    EventFunctions watched;
+    Indicators indicators{};  ///< of what is watched
   };
   /// An event within a step, and how far into it.
   struct Found {
     Event event = Event::gone;
     double length = 0.0;
     bool any = false;
+    Indicators indicators{};  ///< where the whole step ends
   };
 
   Step step_of(const Start& start, double length) const;
   double error_norm(const Step& step) const;
   double indicator_after(Event event, const Start& start, double length) const;
-  double locate(Event event, const Start& start, double length) const;
+  double locate(Event event, const Start& start, double before, double length) const;
+  void watch(Start& start) const;
   Found first_event(const Start& start, const Step& step, double length) const;
   void keep(const Start& start, const Step& step, double length);
   bool finish_if_over(const Found& found, Start& start);
@@ -94,7 +106,7 @@ class ComposedIntegrator {
   std::size_t states_used_;
   State weight_{};  ///< 1 / absolute tolerance of each state
   ComposedEnd end_;
-  std::vector<ComposedStepEnd> step_ends_count_;
+  std::vector<ComposedStepEnd> step_ends_;
   std::size_t step_ends_at_release_ = 0;
 };
 

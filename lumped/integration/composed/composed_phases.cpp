@@ -12,7 +12,7 @@ using Kind = ContactPhase::Kind;
 using State = ComposedContact::State;
 
 bool ComposedContact::remembers() const {
-  return mechanisms_.memory != UnloadingMemory{} || pull_off_ != 0.0 || mechanisms_.pull.act();
+  return mechanisms_.memory != UnloadingMemory{} || pulls();
 }
 
 ComposedContact::EventFunctions ComposedContact::event_functions(const Phase& phase) const {
@@ -58,6 +58,13 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
     }
   }
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ComposedContact::indicator(Event event, const Phase& phase, const State& y,
+                                  const State& rate) const {
+  // In contact, and where nothing pulls, the force is what acts: it has been asked for.
+  if (event == Event::released && !pulls()) return rate[impulse];
+  return indicator(event, phase, y);
 }
 
 /// The ball leaves faster than anything that rings can follow, or not.
