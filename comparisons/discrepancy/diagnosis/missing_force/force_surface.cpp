@@ -26,6 +26,25 @@ Eigen::MatrixXd kronecker(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return product;
 }
 
+/// What the data and a prior say of r in c = R r: 1 + RᵀGR.
+struct Information {
+  Eigen::LLT<Eigen::MatrixXd> factored;
+  Eigen::VectorXd moment, solved;
+
+  Information(const NormalEquations& equations, const Eigen::MatrixXd& root) {
+    const auto lower = root.triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd half = equations.gram * lower;
+    Eigen::MatrixXd inner = lower.transpose() * half;
+    inner.diagonal().array() += 1.0;
+    factored.compute(inner);
+    moment = lower.transpose() * equations.moment;
+    solved = factored.solve(moment);
+  }
+  double log_evidence() const {
+    return 0.5 * moment.dot(solved) - factored.matrixLLT().diagonal().array().log().sum();
+  }
+};
+
 /// One number of the prior, and the steps that a search takes along it.
 struct Steps {
   double SurfacePrior::*number;
@@ -83,22 +102,20 @@ Eigen::MatrixXd smooth_covariance(int count, double roughness_weight) {
 }
 
 Posterior posterior_of(const NormalEquations& equations, const Eigen::MatrixXd& root) {
-  const Eigen::Index n = root.cols();
-  const Eigen::MatrixXd inner =
-      Eigen::MatrixXd::Identity(n, n) + root.transpose() * equations.gram * root;
-  const Eigen::LLT<Eigen::MatrixXd> factored(inner);
-  const Eigen::VectorXd moment = root.transpose() * equations.moment;
-  const Eigen::VectorXd solved = factored.solve(moment);
+  const Information information(equations, root);
   Posterior posterior;
-  posterior.mean = root * solved;
-  const Eigen::MatrixXd half = factored.matrixL().solve(root.transpose());
+  posterior.mean = root * information.solved;
+  const Eigen::MatrixXd half = information.factored.matrixL().solve(root.transpose());
   posterior.covariance = half.transpose() * half;
-  posterior.log_evidence =
-      0.5 * moment.dot(solved) - Eigen::MatrixXd(factored.matrixL()).diagonal().array().log().sum();
+  posterior.log_evidence = information.log_evidence();
   posterior.chi_square = equations.total - 2.0 * posterior.mean.dot(equations.moment) +
                          posterior.mean.dot(equations.gram * posterior.mean);
   posterior.numbers = (equations.gram * posterior.covariance).trace();
   return posterior;
+}
+
+double log_evidence_of(const NormalEquations& equations, const Eigen::MatrixXd& root) {
+  return Information(equations, root).log_evidence();
 }
 
 double SurfacePrior::between(double one, double other) const {
@@ -160,7 +177,7 @@ std::pair<SurfacePrior, double> ForceSurface::climb(SurfacePrior prior, double s
                                                     const NormalEquations& equations) const {
   constexpr int sweeps = 8;
   constexpr double settled = 0.02;
-  double best = posterior_of(equations, root_of(prior)).log_evidence;
+  double best = log_evidence_of(equations, root_of(prior));
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const double before = best;
     for (const Steps& steps : steps_of(size, speeds_.size() > 1)) {
@@ -171,7 +188,7 @@ std::pair<SurfacePrior, double> ForceSurface::climb(SurfacePrior prior, double s
       for (const double value : values) {
         SurfacePrior one = prior;
         one.*steps.number = std::clamp(value, steps.lowest, steps.highest);
-        const double evidence = posterior_of(equations, root_of(one)).log_evidence;
+        const double evidence = log_evidence_of(equations, root_of(one));
         if (!(evidence > best)) continue;
         best = evidence;
         prior = one;

@@ -60,7 +60,7 @@ Eigen::RowVectorXd functions_of(const Structure& structure, const Scales& scales
 }
 
 /// Largest over the size and the smoothness of the curves.
-double log_evidence_of(const NormalEquations& equations, int curves) {
+double largest_evidence(const NormalEquations& equations, int curves) {
   const double size = std::sqrt(equations.total / std::max(1e-300, equations.gram.trace()));
   double best = 0.0;  // that of no force at all
   for (const double roughness : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4}) {
@@ -68,7 +68,7 @@ double log_evidence_of(const NormalEquations& equations, int curves) {
     Eigen::MatrixXd root = Eigen::MatrixXd::Zero(curves * splines, curves * splines);
     for (int k = 0; k < curves; ++k) root.block(k * splines, k * splines, splines, splines) = one;
     for (double factor = 0.03; factor < 100.0; factor *= 2.0)
-      best = std::max(best, posterior_of(equations, factor * size * root).log_evidence);
+      best = std::max(best, log_evidence_of(equations, factor * size * root));
   }
   return best;
 }
@@ -103,7 +103,7 @@ std::vector<std::string> words_of_missing_force(const ForceRows& rows, double su
   std::vector<double> evidence;
   for (const Structure& one : structures) {
     const int curves = one.part == Part::both ? 2 : 1;
-    evidence.push_back(log_evidence_of(
+    evidence.push_back(largest_evidence(
         rows.equations(curves * splines,
                        [&](const ForceSamples& samples, std::size_t sample, std::size_t) {
                          return functions_of(one, scales, samples, sample);
