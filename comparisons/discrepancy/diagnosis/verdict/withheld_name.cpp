@@ -177,7 +177,8 @@ void withhold_what_the_unseen_speed_denies(Diagnosis& d, const SelectionRules& r
                     label_of(d.best().effects),
                     d.unseen_after->chi_square - d.unseen_before->chi_square));
   if (opens_a_gap(d, rules, noise)) {
-    if (d.believed.p_value > rules.smallest_adequate_p) return let_the_believed_model_stand(d);
+    if (d.believed.p_value > rules.smallest_adequate_p && !is_plain_in_a_cell(d.believed.map))
+      return let_the_believed_model_stand(d);
     return withhold(d, DiagnosisVerdict::unexplained,
                     fmt::format("the unseen speed has no gap, and with {} one of {:.3g}",
                                 label_of(d.best().effects), *d.gap.held_out_after));

@@ -142,6 +142,11 @@ TEST(WithheldNameTest, AFamilyThatOpensAGapAtTheUnseenSpeedIsDenied) {
   d.unseen_after = HeldOutGap{.chi_square = 660.0};
   d.believed.p_value = 0.01;  // the gap that was seen is one that noise may make
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
+  d.believed.map.threshold = 3.6;
+  d.believed.map.largest = 5.6;  // a cell such as noise does not make
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::unexplained);
+  d.believed.map.largest = 3.9;
+  EXPECT_EQ(verdict_of(d), DiagnosisVerdict::agrees);
   d.believed.p_value = 1e-6;
   EXPECT_EQ(verdict_of(d), DiagnosisVerdict::unexplained);
   d.unseen_after->chi_square = 503.0;
