@@ -186,7 +186,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (d.fem_alone) ask_fem(d, all, request.rules, {.interrupted = control.interrupted});
   if (d.shots_in_fem) measure_shots_in_fem(d, all, {.interrupted = control.interrupted});
   suspect_what_contradicts_momentum(d, all);
-  suspect_a_coarse_recorder(d);
+  suspect_a_coarse_recorder(d, request.rules);
+  suspect_an_offset(d);
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;

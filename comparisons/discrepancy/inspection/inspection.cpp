@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/zero_offset.hpp"
 #include "comparisons/discrepancy/inspection/shots_together.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
@@ -175,7 +176,9 @@ Inspection inspect(const Dataset& dataset) {
   Inspection found;
   found.name = dataset.name;
   std::vector<std::span<const double>> quiet;
-  for (const MeasuredImpact& shot : dataset.shots)
+  std::vector<MeasuredImpact> shots = dataset.shots;
+  take_out_zero_offset(shots);
+  for (const MeasuredImpact& shot : shots)
     found.shots.push_back(inspect_recorded(dataset, shot, quiet));
   const Observations seen = observe({dataset});
   for (std::size_t i = 0; i < found.shots.size(); ++i)

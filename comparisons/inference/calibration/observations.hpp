@@ -54,6 +54,9 @@ struct Observations {
   double noise_freedom = 0.0;
   /// Step of a recorder that is more than twice all other noise; 0: none is [N].
   double coarse_step = 0.0;
+  /// What the force read before contact, and was taken out for it would hide contacts; 0: it was
+  /// left as it is [N].
+  double zero_offset = 0.0;
   std::string noise_from;             ///< in words, e.g. "stated by the data set"
   std::vector<std::string> warnings;  ///< what was assumed where nothing was stated
   std::vector<std::string> missing;   ///< what would have been needed; empty: enough

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <type_traits>
+#include <unordered_map>
 
 #include "comparisons/models/effects/check_effect.hpp"
 #include "lumped/problem/error.hpp"
@@ -152,8 +154,13 @@ std::string size_unit(const EffectCard& card) {
 }
 
 const Effect& find_effect(const std::string& name) {
-  for (const Effect& effect : all_effects())
-    if (effect.card.name == name) return effect;
+  // Searches ask a million times.
+  static const std::unordered_map<std::string, const Effect*> by_name = [] {
+    std::unordered_map<std::string, const Effect*> all;
+    for (const Effect& effect : all_effects()) all.emplace(effect.card.name, &effect);
+    return all;
+  }();
+  if (const auto found = by_name.find(name); found != by_name.end()) return *found->second;
   std::string names;
   for (const Effect& effect : all_effects())
     names += (names.empty() ? "" : ", ") + effect.card.name;

@@ -198,6 +198,7 @@ class JointModel {
   std::vector<CalibrationParameter> unknowns_;
   std::variant<LawFactors, MaterialFactors> numbers_;
   EffectUnknowns effects_;
+  bool reaches_the_measurement_;  ///< does any effect act on how a shot is measured?
   NuisanceUnknowns nuisances_;
   std::vector<DataRow> rows_;
   std::optional<CommonError> common_error_;

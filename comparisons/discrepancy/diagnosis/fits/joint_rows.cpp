@@ -104,7 +104,7 @@ void JointModel::add_rows() {
 
 MeasurementChain JointModel::chain_at(const std::vector<double>& values, std::size_t shot) const {
   MeasurementChain chain = stated_chain(seen_.shots[shot]);
-  apply_effects(effects_of_shot(values, shot), chain);
+  if (reaches_the_measurement_) apply_effects(effects_of_shot(values, shot), chain);
   nuisances_.apply(values, shot, chain);
   chain.aperture = aperture_of(seen_.shots[shot]);
   return chain;

@@ -1,11 +1,16 @@
 #include "comparisons/discrepancy/diagnosis/observations/prepare_histories.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <span>
+#include <string>
 
 #include "comparisons/discrepancy/diagnosis/observations/prepared_record.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/settle_deflections.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/settle_noise.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/whole_impact.hpp"
+#include "comparisons/discrepancy/diagnosis/observations/zero_offset.hpp"
 
 namespace rebound {
 namespace {
@@ -42,9 +47,20 @@ void keep_contact(const PreparedRecord& record, MeasuredImpact& shot) {
   shot.after_contact.force = part(record.trace.force, after);
 }
 
+void take_out_offset(const std::string& name, std::size_t first, Observations& seen) {
+  const double level = take_out_zero_offset(std::span(seen.shots).subspan(first));
+  if (level == 0.0) return;
+  seen.zero_offset = level;
+  seen.warnings.push_back(
+      fmt::format("{}: the force reads up to {:.3g} N before and after contact, which is taken out "
+                  "of every shot",
+                  name, level));
+}
+
 }  // namespace
 
 void prepare_histories(const Dataset& dataset, std::size_t first, Observations& seen) {
+  take_out_offset(dataset.name, first, seen);
   for (std::size_t i = first; i < seen.shots.size(); ++i)
     if (seen.shots[i].has_history()) keep_whole_impact(seen.shots[i], seen.warnings);
   std::vector<std::size_t> histories;

@@ -65,13 +65,25 @@ void suspect_measurement(Diagnosis& d, std::vector<std::vector<std::string>> can
   d.withheld.clear();
 }
 
-void suspect_a_coarse_recorder(Diagnosis& d) {
-  if (d.verdict != DiagnosisVerdict::agrees || d.seen->coarse_step == 0.0) return;
+void suspect_a_coarse_recorder(Diagnosis& d, const SelectionRules& rules) {
+  const bool is_alike_in_neighbours = d.verdict == DiagnosisVerdict::unexplained &&
+                                      d.candidates.empty() &&
+                                      d.believed.p_value > rules.smallest_adequate_p;
+  if (d.seen->coarse_step == 0.0) return;
+  if (d.verdict != DiagnosisVerdict::agrees && !is_alike_in_neighbours) return;
   suspect_measurement(
       d, {{"quantisation"}},
       fmt::format("quantisation: readings are rounded to steps of {:.3g} N, more than twice all "
                   "other noise; within that the model agrees",
                   d.seen->coarse_step));
+}
+
+void suspect_an_offset(Diagnosis& d) {
+  if (d.verdict != DiagnosisVerdict::agrees || d.seen->zero_offset == 0.0) return;
+  suspect_measurement(d, {{"force-baseline"}},
+                      fmt::format("force-baseline: the force reads up to {:.3g} N before and after "
+                                  "contact; without that the model agrees",
+                                  d.seen->zero_offset));
 }
 
 void suspect_what_contradicts_momentum(Diagnosis& d, const Observations& all) {

@@ -17,8 +17,13 @@ void suspect_measurement(Diagnosis& diagnosis, std::vector<std::vector<std::stri
                          std::string fault);
 
 /// Where a model agrees with readings that are rounded to steps of more than twice all other noise,
-/// the steps are said: within them it agrees.
-void suspect_a_coarse_recorder(Diagnosis& diagnosis);
+/// the steps are said: within them it agrees. So they are where nothing explains a cell of the map
+/// and χ² is that of noise: the errors of neighbours that are rounded alike are alike.
+void suspect_a_coarse_recorder(Diagnosis& diagnosis, const SelectionRules& rules);
+
+/// Where a model agrees with forces whose offset was taken out before anything was looked for, the
+/// offset is said.
+void suspect_an_offset(Diagnosis& diagnosis);
 
 /// Where nothing explains the data, and impulse, energy or restitution contradict each other as no
 /// fitted model does: momentum balance holds whatever the contact is. In one shot alone that is a

@@ -36,6 +36,23 @@ TEST(ComposedContactTest, NothingIsTheBareLaw) {
     }
 }
 
+// Memory of steps goes from one integrator to the next, not to one that runs beside it.
+TEST(ComposedContactTest, AnotherIntegratorLeavesTheStepsOfThisOne) {
+  LumpedProblem problem = test::typical_problem("hunt-crossley");
+  problem.model.mechanisms.plate.stiffness = 5e7;
+  const ComposedContact contact(problem);
+  ComposedIntegrator first(contact);
+  first.integrate();
+  const Trace before = first.sample(problem.controls);
+  problem.impact.speed *= 2.0;
+  const ComposedContact faster(problem);
+  ComposedIntegrator(faster).integrate();
+  ComposedIntegrator second(faster);
+  second.integrate();
+  EXPECT_EQ(first.sample(problem.controls).force, before.force);
+  EXPECT_NE(second.sample(problem.controls).force, before.force);
+}
+
 TEST(ComposedContactTest, ForcesAtFollowTheTrace) {
   LumpedProblem problem = test::typical_problem("hunt-crossley");
   problem.model.mechanisms.relaxation = {.ratio = 0.3, .relaxation_time = 1e-3};

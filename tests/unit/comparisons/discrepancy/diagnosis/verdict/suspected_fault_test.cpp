@@ -82,12 +82,42 @@ TEST(SuspectedFaultTest, CoarseReadingsThatAgreeAreOfTheRecorder) {
   Diagnosis d;
   d.seen = std::make_shared<const Observations>(coarse);
   d.verdict = DiagnosisVerdict::unexplained;
-  suspect_a_coarse_recorder(d);
+  d.believed.p_value = 1e-5;
+  suspect_a_coarse_recorder(d, {});
   EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
   d.verdict = DiagnosisVerdict::agrees;
-  suspect_a_coarse_recorder(d);
+  suspect_a_coarse_recorder(d, {});
   EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
   EXPECT_NE(d.fault.find("24 N"), std::string::npos) << d.fault;
+}
+
+// A cell of the map that nothing explains, where χ² is that of noise.
+TEST(SuspectedFaultTest, CoarseReadingsAreAlikeInNeighbours) {
+  Observations seen;
+  Diagnosis d;
+  d.verdict = DiagnosisVerdict::unexplained;
+  d.believed.p_value = 0.9;
+  d.seen = std::make_shared<const Observations>(seen);
+  suspect_a_coarse_recorder(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained);
+  seen.coarse_step = 24.0;
+  d.seen = std::make_shared<const Observations>(seen);
+  suspect_a_coarse_recorder(d, {});
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+}
+
+TEST(SuspectedFaultTest, AnOffsetIsSaidOnlyWhereTheModelAgrees) {
+  Observations seen;
+  seen.zero_offset = -250.0;
+  Diagnosis d;
+  d.seen = std::make_shared<const Observations>(seen);
+  d.verdict = DiagnosisVerdict::missing;
+  suspect_an_offset(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::missing);
+  d.verdict = DiagnosisVerdict::agrees;
+  suspect_an_offset(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+  EXPECT_NE(d.fault.find("-250 N"), std::string::npos) << d.fault;
 }
 
 }  // namespace
