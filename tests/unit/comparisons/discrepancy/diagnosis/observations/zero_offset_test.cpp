@@ -51,7 +51,7 @@ TEST(ZeroOffsetTest, ASmallOneStays) {
   EXPECT_EQ(shots[0].trace.force, before);
 }
 
-/// The slowest shot of a sound ball rises by less than the offset, so that no reading is above zero.
+/// The slowest shot of a sound ball rises by less than the offset: no reading is above zero.
 Dataset far_below_zero() {
   const SynthesisFile file = testing::experiment_with({}, 3);
   Dataset dataset = synthesize(file, simulator_of(file, {})).dataset;
