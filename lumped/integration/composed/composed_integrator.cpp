@@ -49,7 +49,9 @@ ComposedIntegrator::ComposedIntegrator(const ComposedContact& contact)
   step_ends_.clear();
 }
 
-ComposedIntegrator::~ComposedIntegrator() { step_ends_.swap(memory_for_steps); }
+ComposedIntegrator::~ComposedIntegrator() {
+  step_ends_.swap(memory_for_steps);
+}
 
 ComposedIntegrator::Step ComposedIntegrator::step_of(const Start& start, double length) const {
   const auto field = [&](const State& y) {
@@ -92,10 +94,10 @@ void ComposedIntegrator::watch(Start& start) const {
 double ComposedIntegrator::locate(Event event, const Start& start, double before,
                                   double length) const {
   std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      [&](double h) { return indicator_after(event, start, h); }, 0.0, length,
-      before, indicator_after(event, start, length),
-      boost::math::tools::eps_tolerance<double>(50), iterations);
+  const auto bracket =
+      boost::math::tools::toms748_solve([&](double h) { return indicator_after(event, start, h); },
+                                        0.0, length, before, indicator_after(event, start, length),
+                                        boost::math::tools::eps_tolerance<double>(50), iterations);
   return 0.5 * (bracket.first + bracket.second);
 }
 
