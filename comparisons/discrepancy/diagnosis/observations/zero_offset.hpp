@@ -12,8 +12,8 @@ namespace rebound {
 /// The mean of the first twentieth of the record, where that and the last twentieth are flat and
 /// alike, to five per cent of what the force rises by.
 ///
-/// Valid:   a record with a twentieth of quiet on either side. A contact that is cut is steep there:
-///          of a half sine a twentieth changes by nine per cent of the rise at least.
+/// Valid:   a record with a twentieth of quiet on either side. A contact that is cut is steep where
+///          it is cut: of a half sine a twentieth changes by nine per cent of the rise at least.
 /// Limit:   a contact that is cut at both ends has no level
 ///          -> test ZeroOffsetTest.ACutContactHasNoLevel.
 double level_of(const std::vector<double>& force);
