@@ -43,30 +43,28 @@ std::optional<double> optional_number(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(number_of<double>(text));
 }
 
-std::string candidates_text(const TrialAnswer& answer) {
+std::string sets_text(const std::vector<Fields>& all) {
   Fields sets;
-  for (const auto& names : answer.candidates) sets.push_back(joined(names, '+'));
+  for (const Fields& one : all) sets.push_back(joined(one, '+'));
   return joined(sets, '|');
 }
 
-std::vector<Fields> candidates_of(const std::string& text) {
-  std::vector<Fields> candidates;
-  if (text.empty()) return candidates;
-  for (const std::string& set : parts_of(text, '|')) candidates.push_back(parts_of(set, '+'));
-  return candidates;
+std::vector<Fields> sets_of(const std::string& text) {
+  std::vector<Fields> sets;
+  if (text.empty()) return sets;
+  for (const std::string& set : parts_of(text, '|')) sets.push_back(parts_of(set, '+'));
+  return sets;
 }
 
 std::string answer_text(const TrialAnswer& a) {
-  return joined({a.verdict, a.family, a.named, candidates_text(a)}, ';');
+  return joined({a.verdict, a.family, a.named, sets_text(a.candidates)}, ';');
 }
 
 TrialAnswer answer_of(const std::string& text) {
   const Fields parts = parts_of(text, ';');
   if (parts.size() != 4) throw FieldError{};
-  return {.verdict = parts[0],
-          .family = parts[1],
-          .candidates = candidates_of(parts[3]),
-          .named = parts[2]};
+  return {
+      .verdict = parts[0], .family = parts[1], .candidates = sets_of(parts[3]), .named = parts[2]};
 }
 
 template <class Part, class Value>
@@ -149,6 +147,13 @@ TableField said_field(const std::string& name, std::string TrialAnswer::*member)
       [=](const std::string& text, TrialRecord& record) { record.outcome.said.*member = text; }};
 }
 
+TableField sets_field(const std::string& name, std::vector<Fields> TrialAnswer::*member) {
+  return {name, [=](const TrialRecord& record) { return sets_text(record.outcome.said.*member); },
+          [=](const std::string& text, TrialRecord& record) {
+            record.outcome.said.*member = sets_of(text);
+          }};
+}
+
 void append_outcome(std::vector<TableField>& fields) {
   const auto outcome = &TrialRecord::outcome;
   fields.push_back(field("speeds", outcome, &TrialOutcome::speeds));
@@ -156,11 +161,9 @@ void append_outcome(std::vector<TableField>& fields) {
   fields.push_back(said_field("verdict", &TrialAnswer::verdict));
   fields.push_back(said_field("family", &TrialAnswer::family));
   fields.push_back(said_field("named", &TrialAnswer::named));
-  fields.push_back({"candidates",
-                    [](const TrialRecord& r) { return candidates_text(r.outcome.said); },
-                    [](const std::string& text, TrialRecord& r) {
-                      r.outcome.said.candidates = candidates_of(text);
-                    }});
+  fields.push_back(sets_field("candidates", &TrialAnswer::candidates));
+  fields.push_back(sets_field("candidate_families", &TrialAnswer::candidate_families));
+  fields.back().may_be_absent = true;
   fields.push_back({"nearest",
                     [](const TrialRecord& r) { return joined(r.outcome.said.nearest, '|'); },
                     [](const std::string& text, TrialRecord& r) {

@@ -40,6 +40,23 @@ bool family_in_a_candidate(const TrialAnswer& answer, const std::string& family)
   });
 }
 
+bool are_in_a_candidate(const TrialAnswer& answer, const std::string& family,
+                        const std::string& other) {
+  std::vector<std::vector<std::string>> sets = answer.candidate_families;
+  if (sets.empty())
+    for (const auto& names : answer.candidates) {
+      auto& families = sets.emplace_back();
+      for (const std::string& name : names)
+        families.emplace_back(name_of(find_effect(name).card.family));
+    }
+  return std::any_of(sets.begin(), sets.end(), [&](const auto& families) {
+    const auto first = std::find(families.begin(), families.end(), family);
+    if (first == families.end()) return false;
+    const auto holds = [&](auto begin, auto end) { return std::find(begin, end, other) != end; };
+    return holds(families.begin(), first) || holds(first + 1, families.end());
+  });
+}
+
 bool name_is_said(const TrialAnswer& answer, const std::string& name) {
   return answer.named == name || in_a_candidate(answer, name);
 }

@@ -12,6 +12,8 @@ struct TrialAnswer {
   std::string family;   ///< empty: none said
   std::vector<std::vector<std::string>> candidates;  ///< sets of effects not to be told apart
   std::string named;  ///< the one effect that is said; empty: none, or more than one
+  /// Of each candidate, as its effects act there; empty: by their names.
+  std::vector<std::vector<std::string>> candidate_families{};
   std::vector<std::string> nearest{};  ///< where a family is said: its formulas that come nearest
 
   friend bool operator==(const TrialAnswer&, const TrialAnswer&) = default;
@@ -30,6 +32,9 @@ std::string family_said(const TrialAnswer& answer);
 /// family, in one of the candidates?
 bool in_a_candidate(const TrialAnswer& answer, const std::string& name);
 bool family_in_a_candidate(const TrialAnswer& answer, const std::string& family);
+/// Are effects of both families in one of the candidates?
+bool are_in_a_candidate(const TrialAnswer& answer, const std::string& family,
+                        const std::string& other);
 
 /// Is it the one effect that is named, or does it stand in a candidate?
 bool name_is_said(const TrialAnswer& answer, const std::string& name);

@@ -44,6 +44,7 @@ std::vector<TrialGate> gates_of(const TrialCounts& c) {
       {.what = "two effects, beside the nearest one: both said",
        .share = c.visible_pairs_both,
        .least = 0.75},
+      {.what = "two effects: both families in a candidate", .share = c.pairs_both_families},
       {.what = "two effects: nothing false named", .share = c.pairs_not_false, .least = 0.90}};
 }
 

@@ -27,7 +27,7 @@ struct TrialCounts {
   Share separable_family_right, separable_name_right;
   Share single_name_right;  ///< of those that say one
   Share out_of_family_said, visibly_out_of_family_said, out_of_family_named, unseen_better,
-      coverage, pairs_both, visible_pairs_both, pairs_not_false;
+      coverage, pairs_both, visible_pairs_both, pairs_both_families, pairs_not_false;
 };
 
 /// The shares against what is asked of them, in the order in which they are read.

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "comparisons/discrepancy/diagnosis/believed_model.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/verdict.hpp"
 #include "comparisons/discrepancy/trials/trial_controls.hpp"
 #include "comparisons/discrepancy/trials/trial_store.hpp"
 #include "comparisons/io/dataset/read_dataset.hpp"
@@ -65,6 +66,10 @@ void describe_verdict(const Diagnosis& d, TrialOutcome& outcome) {
   outcome.said.verdict = name_of(d.verdict);
   if (d.family != EffectFamily::none) outcome.said.family = name_of(d.family);
   outcome.said.candidates = d.candidates;
+  for (const FamilySet& families : families_of_candidates(d)) {
+    auto& names = outcome.said.candidate_families.emplace_back();
+    for (const EffectFamily family : families) names.emplace_back(name_of(family));
+  }
   for (const ExplainedShare& one : d.nearest) outcome.said.nearest.push_back(one.effects.front());
   outcome.held_out_before = d.gap.held_out_before;
   outcome.held_out_after = d.gap.held_out_after;

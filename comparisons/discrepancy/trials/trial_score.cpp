@@ -71,6 +71,8 @@ void count_pair(const TrialTruth& truth, const TrialAnswer& said, TrialCounts& c
              second = in_a_candidate(said, truth.effects[1].registry_name);
   counts.pairs_both.add(first && second);
   if (shows_beside_the_nearest(truth)) counts.visible_pairs_both.add(first && second);
+  counts.pairs_both_families.add(
+      are_in_a_candidate(said, truth.effects[0].family, truth.effects[1].family));
   counts.pairs_not_false.add(said.verdict != "missing" || first || second);
 }
 

@@ -7,6 +7,7 @@
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/fem_answers.hpp"
 #include "comparisons/discrepancy/diagnosis/output/shot_gaps_json.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/verdict.hpp"
 #include "comparisons/io/toml/describe_effect.hpp"
 #include "comparisons/io/toml/units.hpp"
 
@@ -84,6 +85,12 @@ Json in_fem_json(const EffectInFem& one) {
 Json candidates_by_effect(const Diagnosis& d) {
   return list_of(d.candidates, [](const std::vector<std::string>& names) {
     return list_of(names, [](const std::string& name) { return Json(effect_behind(name)); });
+  });
+}
+
+Json candidate_families(const Diagnosis& d) {
+  return list_of(families_of_candidates(d), [](const FamilySet& families) {
+    return list_of(families, [](EffectFamily family) { return Json(name_of(family)); });
   });
 }
 
@@ -210,6 +217,7 @@ Json to_json(const Diagnosis& d) {
       {"effects", list_of(d.effects, [&](const NamedEffect& one) { return effect_json(one, d); })},
       {"candidates", d.candidates},
       {"candidates_by_effect", candidates_by_effect(d)},
+      {"candidate_families", candidate_families(d)},
       {"bootstrap", bootstrap_json(d.bootstrap)},
       {"tried", tried_json(d.selection.tried)},
       {"excluded_above", list_of(d.excluded, excluded_json)},

@@ -223,6 +223,22 @@ void conclude(Diagnosis& d, const SelectionRules& rules) {
   }
 }
 
+std::vector<FamilySet> families_of_candidates(const Diagnosis& d) {
+  const std::vector<std::size_t>& members = d.selection.indistinguishable;
+  std::vector<FamilySet> all;
+  for (std::size_t i = 0; i < d.candidates.size(); ++i) {
+    const HypothesisFit* fit = i < members.size() ? &d.selection.tried[members[i]].fit : nullptr;
+    if (fit && added_effects(*fit, d.believed_effects) == d.candidates[i]) {
+      all.push_back(added_families(d, *fit));
+      continue;
+    }
+    FamilySet& families = all.emplace_back();  // of FE, or of the measurement
+    for (const std::string& name : d.candidates[i])
+      families.push_back(find_effect(name).card.family);
+  }
+  return all;
+}
+
 void find_nearest_formulas(Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::family)
     d.nearest = nearest_formulas(d.family, explained_shares(d, d.best()));

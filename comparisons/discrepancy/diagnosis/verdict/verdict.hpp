@@ -16,6 +16,10 @@ namespace rebound {
 ///   unexplained        no candidate
 void conclude(Diagnosis& diagnosis, const SelectionRules& rules);
 
+/// Families of the effects of each candidate, as they act there: a memory that fades in a fiftieth
+/// of the contact is a damper, of the family 'rate'.
+std::vector<FamilySet> families_of_candidates(const Diagnosis& diagnosis);
+
 /// Where the verdict is a family: its formulas that come nearest.
 void find_nearest_formulas(Diagnosis& diagnosis);
 

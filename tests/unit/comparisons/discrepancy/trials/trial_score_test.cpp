@@ -222,5 +222,22 @@ TEST(TrialTruthTest, ATruthThatWasChangedIsRefused) {
             ExitCode::corrupt_store);
 }
 
+// Of two effects the families are counted as they act: a memory that fades at once is a damper.
+TEST(TrialScoreTest, FamiliesOfTwoEffectsAreThoseThatActInACandidate) {
+  TrialTruth pair = hidden(1, "rate", "damping-exponent");
+  pair.effects.push_back(hidden(1, "dynamics", "plate-compliance").effects.front());
+  const auto counted = [&](const std::vector<std::vector<std::string>>& families) {
+    TrialOutcome outcome = said(1, "family");
+    outcome.said.candidates = {{"relaxation", "plate-compliance"}};
+    outcome.said.candidate_families = families;
+    const TrialScores scores = score_trials(testing::trials_of({outcome}, {pair}));
+    EXPECT_EQ(gate(scores, "two effects: both in a candidate").share.count, 0);
+    return gate(scores, "two effects: both families in a candidate").share.count;
+  };
+  EXPECT_EQ(counted({{"rate", "dynamics"}}), 1);
+  EXPECT_EQ(counted({{"dynamics", "dynamics"}}), 0);
+  EXPECT_EQ(counted({}), 0) << "by its name relaxation is a memory";
+}
+
 }  // namespace
 }  // namespace rebound

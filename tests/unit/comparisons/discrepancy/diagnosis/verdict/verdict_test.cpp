@@ -53,5 +53,16 @@ TEST(VerdictTest, SeveralSetsOfThreeEffectsAreNoAnswer) {
   EXPECT_NE(one_of_two.verdict, DiagnosisVerdict::unexplained);
 }
 
+TEST(VerdictTest, ACandidateSaysItsFamilies) {
+  Diagnosis d = with_candidates({{"hysteresis", "damping-exponent"}, {"permanent-set"}});
+  conclude(d, {});
+  ASSERT_EQ(d.candidates.size(), 2U);
+  EXPECT_EQ(families_of_candidates(d),
+            (std::vector<FamilySet>{{EffectFamily::history, EffectFamily::rate},
+                                    {EffectFamily::history}}));
+  d.candidates = {{"plate-compliance"}};  // of FE
+  EXPECT_EQ(families_of_candidates(d), (std::vector<FamilySet>{{EffectFamily::dynamics}}));
+}
+
 }  // namespace
 }  // namespace rebound
