@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/trials/trial_answer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "comparisons/models/effects/effect.hpp"
@@ -49,11 +50,11 @@ bool are_in_a_candidate(const TrialAnswer& answer, const std::string& family,
       for (const std::string& name : names)
         families.emplace_back(name_of(find_effect(name).card.family));
     }
-  return std::any_of(sets.begin(), sets.end(), [&](const auto& families) {
-    const auto first = std::find(families.begin(), families.end(), family);
-    if (first == families.end()) return false;
-    const auto holds = [&](auto begin, auto end) { return std::find(begin, end, other) != end; };
-    return holds(families.begin(), first) || holds(first + 1, families.end());
+  const auto [lesser, greater] = std::minmax(family, other);
+  return std::any_of(sets.begin(), sets.end(), [&](auto& families) {
+    std::sort(families.begin(), families.end());
+    const std::array wanted{lesser, greater};  // two members where both are of one family
+    return std::includes(families.begin(), families.end(), wanted.begin(), wanted.end());
   });
 }
 

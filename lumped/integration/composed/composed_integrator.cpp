@@ -24,7 +24,7 @@ constexpr std::size_t most_use = ComposedContact::further_relaxed;
 using Event = ComposedContact::Event;
 
 /// Memory of the last integrator of this thread. Steps of one impact take a tenth of a megabyte:
-/// asking the system for it anew takes a fifth of the time of the impact.
+/// asking the system for it anew costs page faults in every impact.
 thread_local std::vector<ComposedStepEnd> memory_for_steps;
 
 Error no_way_on() {

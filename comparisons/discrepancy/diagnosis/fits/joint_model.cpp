@@ -45,9 +45,7 @@ JointModel::JointModel(const Observations& seen, const Hypothesis& hypothesis, U
       hypothesis_(hypothesis),
       numbers_(numbers_of(hypothesis, seen.balls, unknowns_)),
       effects_(hypothesis.effects, hypothesis.fem != nullptr, unknowns_),
-      reaches_the_measurement_(std::any_of(
-          hypothesis.effects.begin(), hypothesis.effects.end(),
-          [](const EffectChoice& one) { return find_effect(one.name).to_measurement != nullptr; })),
+      reaches_the_measurement_(hold_a_fault(hypothesis.effects)),
       nuisances_(seen.shots.size()),
       blocks_(seen.shots.size()),
       impacts_(seen.shots.size()),

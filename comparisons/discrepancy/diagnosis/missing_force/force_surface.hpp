@@ -53,7 +53,7 @@ struct Posterior {
 
 /// For coefficients of zero mean and covariance R Rᵀ, R lower triangular.
 Posterior posterior_of(const NormalEquations& equations, const Eigen::MatrixXd& root);
-/// Its evidence alone, which a search over priors asks for at a fifth of the price.
+/// Its evidence alone: all that a search over priors asks for, and a small part of the work.
 double log_evidence_of(const NormalEquations& equations, const Eigen::MatrixXd& root);
 
 /// What a prior of the missing force is made of: f is a curve over the loop that grows with a

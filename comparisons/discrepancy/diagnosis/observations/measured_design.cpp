@@ -12,11 +12,11 @@ namespace rebound {
 MeasuredDesign measured_design(const std::vector<Dataset>& datasets, const Observations& all) {
   double noise = 0.0, smallest_peak = std::numeric_limits<double>::infinity();
   for (const Dataset& dataset : datasets) {
-    std::vector<MeasuredImpact> shots = dataset.shots;
+    std::vector<MeasuredImpact> shots;
+    for (const MeasuredImpact& measured : dataset.shots)
+      if (measured.has_history()) shots.push_back(completed(dataset, measured));
     take_out_zero_offset(shots);
-    for (const MeasuredImpact& measured : shots) {
-      if (!measured.has_history()) continue;
-      const MeasuredImpact shot = completed(dataset, measured);
+    for (const MeasuredImpact& shot : shots) {
       noise = std::max(noise, recorder_of(shot).scatter);
       smallest_peak = std::min(smallest_peak,
                                *std::max_element(shot.trace.force.begin(), shot.trace.force.end()));
