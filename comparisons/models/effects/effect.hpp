@@ -175,6 +175,9 @@ struct EffectCard {
   TriedIn tried_in = TriedIn::si;
   /// What it does is proportional to its size, so that the first order is the whole.
   bool is_linear = false;
+  /// Its force is not zero at first touch. When that was is fitted, so that the first order, which
+  /// leaves the touch where the baseline has it, says too little.
+  bool jumps_at_touch = false;
   /// Seen in the readings themselves: no fit looks for it.
   bool told_by_readings = false;
   /// Of a memory with one time: the parameter in which it fades. Far below a contact it is a

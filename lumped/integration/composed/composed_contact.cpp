@@ -124,10 +124,7 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
                    : law.damping_force(x, rate);
       },
       law_);
-  if (pull_off_ != 0.0) {
-    const double largest = phase.kind == Kind::loading ? x : phase.largest;
-    f.adhesion = -pull_off_ * adhesion_ramp(elastic_.elastic_force(largest), peak_force_);
-  }
+  f.adhesion = -pull_off_;
   if (mechanisms_.pull.act()) f.adhesion -= pull(phase, y);
   return f;
 }

@@ -16,7 +16,7 @@ namespace rebound {
 /// Contact law and mechanisms as one system of differential equations.
 ///
 ///   δ̇ = (V − w − s ṙ)/(1 − c F_e′),   m V̇ = m g − F,   J̇ = F,
-///   F = F_e + q + F_d − P w(δ_max),   Ḋ = (F − F_e) (V − w − s ṙ) + plate and mode losses,
+///   F = F_e + q + F_d − P,   Ḋ = (F − F_e) (V − w − s ṙ) + plate and mode losses,
 ///   and z, y, w, r, ṙ as their own files say
 ///
 ///   δ   approach of the contact, what the law sees [m]

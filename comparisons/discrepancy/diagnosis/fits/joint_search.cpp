@@ -16,6 +16,14 @@ CalibrationResult search_at(CalibrationProblem& problem, const std::vector<doubl
   return calibrate(problem, control);
 }
 
+/// One by its card: a jump that is small in each record is large in all of them together.
+bool has_an_effect_that_jumps(const JointModel& model) {
+  const std::vector<EffectChoice>& effects = model.hypothesis().effects;
+  return std::any_of(effects.begin(), effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.jumps_at_touch;
+  });
+}
+
 }  // namespace
 
 double left_of(const JointModel& model, const std::vector<double>& values) {
@@ -50,7 +58,9 @@ CalibrationResult search_joint_model(const JointModel& model, CalibrationProblem
     if (other.cost_after < best.cost_after) best = std::move(other);
   }
   // Where the force rises smoothly slopes tell the start, and a further search gains nothing.
-  if (model.with_starts_at_jumps(best.values()) == best.values()) return best;
+  if (!has_an_effect_that_jumps(model) &&
+      model.with_starts_at_jumps(best.values()) == best.values())
+    return best;
   return search_with_settled_starts(model, problem, std::move(best), control);
 }
 

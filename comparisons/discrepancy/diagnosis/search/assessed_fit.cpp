@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "comparisons/inference/calibration/distributions.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -69,6 +70,27 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
       leaves_little_force(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
+/// What an effect that jumps at first touch brings, fitted in full from where the first order has
+/// it.
+double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
+                     const EffectSensitivities& around) {
+  double most = 0.0;
+  for (const EffectScore& score : around.scores()) {
+    const EffectCard& card = find_effect(score.name).card;
+    if (!card.jumps_at_touch) continue;
+    const double size =
+        std::clamp(std::max(score.size, score.size_error), card.range.lowest, card.range.highest);
+    try {
+      const HypothesisFit with = fit_extended(
+          seen, fit, {{.name = score.name, .size = size, .parameters = {}}}, SearchEffort::whole);
+      most = std::max(most, fit.chi_square - with.chi_square);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::solver_failed) throw;
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 bool has_curve(const HypothesisFit& fit) {
@@ -119,12 +141,21 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
                  !fit.leaves_a_force(rules.smallest_adequate_p);
 }
 
+void look_at_believed(const Observations& seen, const EffectSensitivities& around,
+                      const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed) {
+  look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
+  if (!believed.adequate || believed.fit.hypothesis.fem) return;
+  believed.best_remaining =
+      std::max(believed.best_remaining, gain_of_jumps(seen, believed.fit, around));
+  believed.adequate = believed.best_remaining <= believed.remaining_threshold;
+}
+
 AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
                            const std::vector<std::string>& effects, const SelectionRules& rules,
                            std::uint64_t seed) {
   AssessedFit believed = judge_by_chi_square(seen, std::move(fit), rules);
   const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit.effects, effects));
-  look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
+  look_at_believed(seen, around, rules, seed, believed);
   return believed;
 }
 

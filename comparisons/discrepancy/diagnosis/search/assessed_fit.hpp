@@ -80,6 +80,11 @@ AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
 void look_closely(const Observations& seen, const EffectSensitivities& around,
                   const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
 
+/// The same of a model that is believed. Effects that jump at first touch are fitted in full: under
+/// 1 % of noise a pull that a fit finds with a gain of 29 gains 12 to first order.
+void look_at_believed(const Observations& seen, const EffectSensitivities& around,
+                      const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed);
+
 /// The model that is believed: looked at closely whatever its χ², for its map.
 AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
                            const std::vector<std::string>& effects, const SelectionRules& rules,

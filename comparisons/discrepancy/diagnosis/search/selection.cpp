@@ -88,7 +88,7 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
   EffectSelection selection;
   selection.baseline = judge_by_chi_square(seen, std::move(baseline), rules);
   EffectSensitivities around(seen, selection.baseline.fit, effects);
-  look_closely(seen, around, rules, rules.false_gap_level, seed, selection.baseline);
+  look_at_believed(seen, around, rules, seed, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
   if (selection.baseline.adequate && unseen.shots)

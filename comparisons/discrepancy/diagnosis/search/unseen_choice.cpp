@@ -94,7 +94,7 @@ bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
   AssessedFit whole = judge_by_chi_square(all, fit_further(all, fit), rules);
   if (whole.judged) return true;
   const EffectSensitivities around(all, whole.fit, effects);
-  look_closely(all, around, rules, rules.false_gap_level, seed, whole);
+  look_at_believed(all, around, rules, seed, whole);
   return !whole.adequate;
 }
 

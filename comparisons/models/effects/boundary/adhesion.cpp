@@ -8,7 +8,7 @@ Effect adhesion_effect() {
                .kind = EffectKind::boundary,
                .family = EffectFamily::surface,
                .sentence = "Ball and plate stick: a constant pull while in contact, to pull-off.",
-               .equation = "- 2 pi R s, ramped in over the first 1 % of peak force",
+               .equation = "- 2 pi R s, from first touch to pull-off",
                .size_dimension = dimension::energy_per_area,
                .range = limit_of<&Mechanisms::adhesion>.range,
                .prior_scale = 20.0,
@@ -23,8 +23,9 @@ Effect adhesion_effect() {
                                .in_lumped = false,
                                .is_left_open = true,
                                .tried = {0.05}}},
-               .signature = "A tensile tail at the end of the force; restitution that rises with "
-                            "speed.",
+               .jumps_at_touch = true,
+               .signature = "A dip where the force begins and where it ends; restitution that rises "
+                            "with speed where a neck is left.",
                .experiment = "Sign of the slope of e at low speed; the same shots on a powdered or "
                              "a wet plate.",
                .source = "Derjaguin, Muller & Toporov 1975; wet impacts: Gorin et al.",

@@ -13,6 +13,7 @@ Effect linear_dashpot_effect() {
                .size_dimension = dimension::force / dimension::speed,
                .range = limit_of<&DampingFactors::dashpot>.range,
                .prior_scale = 5.0,
+               .jumps_at_touch = true,
                .signature = "F(0+) above zero and a pull before the end; restitution the same at "
                             "all speeds.",
                .experiment = "Sampling fast enough to see F in the first per cent of the contact: "
