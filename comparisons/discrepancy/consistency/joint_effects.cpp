@@ -20,11 +20,6 @@ const HypothesisFit* tried_with(const FitsOfEffects& ball, const std::string& na
   return found == ball.tried.end() ? nullptr : &*found;
 }
 
-bool acts_on_one_shot(const EffectCard& card) {
-  return std::any_of(card.parameters.begin(), card.parameters.end(),
-                     [](const auto& one) { return one.kind == ParameterKind::shot; });
-}
-
 /// Those that bring the balls nearest by the fits apart, the sum over the balls.
 std::vector<std::string> nearest_apart(const std::vector<const FitsOfEffects*>& apart) {
   struct Promise {

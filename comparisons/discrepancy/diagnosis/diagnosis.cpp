@@ -186,6 +186,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   if (d.fem_alone) ask_fem(d, all, request.rules, {.interrupted = control.interrupted});
   if (d.shots_in_fem) measure_shots_in_fem(d, all, {.interrupted = control.interrupted});
   suspect_what_contradicts_momentum(d, all);
+  suspect_a_shot_that_no_fit_saw(d);
   suspect_a_coarse_recorder(d, request.rules);
   suspect_an_offset(d);
   find_nearest_formulas(d);

@@ -265,6 +265,9 @@ void apply_effects(const std::vector<EffectChoice>& effects, MeasurementChain& c
 /// Those that act on the impact itself, without faults of the measurement.
 std::vector<EffectChoice> physical_effects(const std::vector<EffectChoice>& effects);
 
+/// Is it a fault of one shot, which one of its numbers names?
+bool acts_on_one_shot(const EffectCard& card);
+
 /// Is one of them a fault of the measurement?
 bool hold_a_fault(const std::vector<EffectChoice>& effects);
 

@@ -106,6 +106,11 @@ const std::vector<Effect>& all_effects() {
   return list;
 }
 
+bool acts_on_one_shot(const EffectCard& card) {
+  return std::any_of(card.parameters.begin(), card.parameters.end(),
+                     [](const auto& one) { return one.kind == ParameterKind::shot; });
+}
+
 bool makes_variants(const EffectParameterCard& parameter) {
   return parameter.kind != ParameterKind::shot && parameter.in_lumped && !parameter.tried.empty() &&
          (!parameter.fitted || parameter.is_left_open);

@@ -80,8 +80,10 @@ AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
 void look_closely(const Observations& seen, const EffectSensitivities& around,
                   const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
 
-/// The same of a model that is believed. Effects that jump at first touch are fitted in full: under
-/// 1 % of noise a pull that a fit finds with a gain of 29 gains 12 to first order.
+/// The same of a model that is believed. Effects that jump at first touch are fitted in full beside
+/// a lumped one: to first order they are looked for where the law has the touch.
+/// Limit:  a weak pull under noise with a colour is seen, and no more than without -> tests
+///         JumpAtTouchTest.AWeakPullIsSeenByAFit, JumpAtTouchTest.WhereNothingPullsAFitFindsNoMore.
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed);
 

@@ -70,15 +70,6 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
          });
 }
 
-/// Is there a gap that is seen with the unseen speed only? One odd shot among repeats of that speed
-/// is no gap of the model.
-bool is_seen_with(const UnseenSpeed& unseen, const HypothesisFit& fit,
-                  const std::vector<std::string>& effects, const SelectionRules& rules,
-                  std::uint64_t seed) {
-  return leaves_a_gap_in(*unseen.with_seen, fit, effects, rules, seed) &&
-         !odd_one_of(predict_unseen(*unseen.shots, fit).of_shots);
-}
-
 }  // namespace
 
 EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
@@ -91,9 +82,13 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
   look_at_believed(seen, around, rules, seed, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
-  if (selection.baseline.adequate && unseen.shots)
+  const bool is_seen_with_unseen =
+      selection.baseline.adequate && unseen.shots &&
+      leaves_a_gap_in(*unseen.with_seen, selection.baseline.fit, effects, rules, seed);
+  // One odd shot among repeats of that speed is no gap of the model.
+  if (is_seen_with_unseen)
     selection.baseline.adequate =
-        !is_seen_with(unseen, selection.baseline.fit, effects, rules, seed);
+        odd_one_of(predict_unseen(*unseen.shots, selection.baseline.fit).of_shots).has_value();
   if (!selection.baseline.adequate) {
     EffectSearch search(seen, around, effects, rules, seed, control, selection);
     search_effects(search, selection, rules);
@@ -114,6 +109,9 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
   if (selection.baseline.adequate) {
     selection.indistinguishable.clear();
     selection.excluded = excluded_sizes(around);
+    if (is_seen_with_unseen)
+      selection.faults_of_one_shot =
+          faults_of_one_shot(*unseen.with_seen, selection.baseline.fit, rules, seed);
   }
   return selection;
 }

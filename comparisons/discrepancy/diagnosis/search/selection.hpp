@@ -13,6 +13,9 @@ namespace rebound {
 struct EffectSelection {
   AssessedFit baseline;
   std::vector<EffectScore> scores;  ///< on the baseline's residuals
+  /// Where the baseline agrees with what it was fitted to, and leaves a gap in all shots together:
+  /// faults of one shot that would make it.
+  std::vector<std::string> faults_of_one_shot{};
   EffectSensitivities::Cosines cosines;
   std::vector<ExcludedSize> excluded;          ///< where the baseline agrees with the data
   std::vector<AssessedFit> tried;              ///< all that were fitted, best criterion first

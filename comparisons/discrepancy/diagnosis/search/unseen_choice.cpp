@@ -98,6 +98,23 @@ bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
   return !whole.adequate;
 }
 
+std::vector<std::string> faults_of_one_shot(const Observations& all, const HypothesisFit& fit,
+                                            const SelectionRules& rules, std::uint64_t seed) {
+  std::vector<std::string> faults;
+  for (const Effect& effect : all_effects())
+    if (acts_on_one_shot(effect.card)) faults.push_back(effect.card.name);
+  const HypothesisFit whole = fit_further(all, fit);
+  const EffectSensitivities around(all, whole, absent_from(whole.effects, faults));
+  const std::vector<EffectScore> scores = around.scores();
+  double least = around.threshold(rules.false_gap_level, seed);
+  for (const EffectScore& score : scores)
+    least = std::max(least, score.gain_chi_square - rules.close_criterion);
+  std::vector<std::string> seen;
+  for (const EffectScore& score : scores)
+    if (score.gain_chi_square >= least) seen.push_back(score.name);
+  return seen;
+}
+
 void choose_with_unseen_speed(const Observations& unseen, const SelectionRules& rules,
                               const std::function<void(AssessedFit&)>& judge,
                               EffectSelection& selection) {

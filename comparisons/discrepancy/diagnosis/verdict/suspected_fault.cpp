@@ -1,6 +1,7 @@
 #include "comparisons/discrepancy/diagnosis/verdict/suspected_fault.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,17 @@ void suspect_an_offset(Diagnosis& d) {
                       fmt::format("force-baseline: the force reads up to {:.3g} N before and after "
                                   "contact; without that the model agrees",
                                   d.seen->zero_offset));
+}
+
+void suspect_a_shot_that_no_fit_saw(Diagnosis& d) {
+  const std::vector<std::string>& faults = d.selection.faults_of_one_shot;
+  if (d.verdict != DiagnosisVerdict::agrees || faults.empty()) return;
+  std::vector<std::vector<std::string>> candidates;
+  for (const std::string& name : faults) candidates.push_back({name});
+  suspect_measurement(d, std::move(candidates),
+                      fmt::format("{} at the unseen speed; without that shot the model agrees",
+                                  fmt::join(faults, " or ")));
+  d.excluded.clear();
 }
 
 void suspect_what_contradicts_momentum(Diagnosis& d, const Observations& all) {

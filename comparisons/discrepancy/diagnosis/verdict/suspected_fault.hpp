@@ -25,6 +25,10 @@ void suspect_a_coarse_recorder(Diagnosis& diagnosis, const SelectionRules& rules
 /// offset is said.
 void suspect_an_offset(Diagnosis& diagnosis);
 
+/// Where a model agrees with what it was fitted to, and all shots together show what one of them
+/// would make that is off by itself, that is said: it is one of the unseen speed.
+void suspect_a_shot_that_no_fit_saw(Diagnosis& diagnosis);
+
 /// Where nothing explains the data, and impulse, energy or restitution contradict each other as no
 /// fitted model does: momentum balance holds whatever the contact is. In one shot alone that is a
 /// fault of the measurement. In several it may as well be a force on the ball that the sensor does

@@ -78,15 +78,11 @@ void let_the_believed_model_stand(Diagnosis& d) {
 /// Is the candidate that comes nearest a fault that all shots share? It would be there at the
 /// unseen speed, too; one of a single shot is not.
 bool is_shared_fault(const Diagnosis& d) {
-  const auto of_a_shot = [](const std::string& name) {
-    const auto& parameters = find_effect(name).card.parameters;
-    return std::any_of(parameters.begin(), parameters.end(), [](const EffectParameterCard& one) {
-      return one.kind == ParameterKind::shot;
-    });
-  };
   if (d.verdict != DiagnosisVerdict::measurement_fault) return false;
   const std::vector<std::string>& nearest = d.candidates.front();
-  return std::none_of(nearest.begin(), nearest.end(), of_a_shot);
+  return std::none_of(nearest.begin(), nearest.end(), [](const std::string& name) {
+    return acts_on_one_shot(find_effect(name).card);
+  });
 }
 
 /// Does the unseen speed fit worse with a fault that all shots share, beyond what chance does?

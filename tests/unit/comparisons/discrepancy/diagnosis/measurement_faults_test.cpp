@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         HiddenFault{"drift", {"force-drift", 6e4, {}}}, HiddenFault{"droop", {"droop", 60.0, {}}},
         HiddenFault{"hum", {"hum", 80.0, {{"frequency", 1150.0}, {"phase", 2.0}}}},
+        HiddenFault{"slow_hum", {"hum", 80.0, {{"frequency", 350.0}, {"phase", 2.0}}}},
         HiddenFault{
             "burst",
             {"burst", 250.0, {{"frequency", 4e3}, {"decay_time", 0.4e-3}, {"instant", 0.7e-3}}}},

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
@@ -95,7 +97,7 @@ Observations two_speeds_of(const Observations& all) {
 // A gain of 2.2 % at the middle speed, which the fit has not seen: it agrees with the two others,
 // and the χ² of all three is within the noise.
 TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
-  int gaps = 0, false_gaps = 0, in_two = 0;
+  int gaps = 0, false_gaps = 0, in_two = 0, named = 0;
   constexpr int seeds = 5;
   for (int seed = 1; seed <= seeds; ++seed) {
     for (const bool hidden : {false, true}) {
@@ -108,10 +110,14 @@ TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
       const HypothesisFit fit = fit_hypothesis(seen, {.believed = testing::believed_law()});
       const std::vector<std::string> names = absent_effects({});
       if (leaves_a_gap_in(all, fit, names, {}, 1)) ++(hidden ? gaps : false_gaps);
+      const std::vector<std::string> faults = faults_of_one_shot(all, fit, {}, 1);
+      if (std::find(faults.begin(), faults.end(), "shot-gain") != faults.end()) ++named;
+      EXPECT_TRUE(hidden || faults.empty());
       if (hidden && !judge_believed(seen, fit, names, {}, 1).adequate) ++in_two;
     }
   }
   EXPECT_EQ(gaps, seeds);
+  EXPECT_EQ(named, seeds);
   EXPECT_LE(false_gaps, 1);
   EXPECT_LE(in_two, 1);
 }

@@ -106,6 +106,22 @@ TEST(SuspectedFaultTest, CoarseReadingsAreAlikeInNeighbours) {
   EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
 }
 
+TEST(SuspectedFaultTest, AShotThatNoFitSawIsSaidOnlyWhereTheModelAgrees) {
+  Diagnosis d;
+  d.selection.faults_of_one_shot = {"shot-gain", "odd-shot"};
+  d.verdict = DiagnosisVerdict::one_of;
+  suspect_a_shot_that_no_fit_saw(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::one_of);
+  d.verdict = DiagnosisVerdict::agrees;
+  suspect_a_shot_that_no_fit_saw(d);
+  EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
+  EXPECT_EQ(d.candidates.size(), 2u);
+  Diagnosis nothing;
+  nothing.verdict = DiagnosisVerdict::agrees;
+  suspect_a_shot_that_no_fit_saw(nothing);
+  EXPECT_EQ(nothing.verdict, DiagnosisVerdict::agrees);
+}
+
 TEST(SuspectedFaultTest, AnOffsetIsSaidOnlyWhereTheModelAgrees) {
   Observations seen;
   seen.zero_offset = -250.0;
