@@ -17,7 +17,8 @@ namespace rebound {
 ///          takes on the way out, so that restitution stays
 ///          -> test AdhesionTest.PullsFromTouchToPullOffAndTakesNoEnergy.
 /// Caution: JKR balls pull off at 3/4 of this and with a neck, which takes energy.
-/// Source:  B. V. Derjaguin, V. M. Muller & Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314.
+/// Source:  B. V. Derjaguin, V. M. Muller & Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975)
+///          314.
 inline double pull_off_force(double work_of_adhesion, double radius) {
   return 2.0 * std::numbers::pi * radius * work_of_adhesion;
 }
