@@ -24,8 +24,8 @@ Effect adhesion_effect() {
                                .is_left_open = true,
                                .tried = {0.05}}},
                .jumps_at_touch = true,
-               .signature = "A dip where the force begins and where it ends; restitution that rises "
-                            "with speed where a neck is left.",
+               .signature = "A dip where the force begins and one where it ends; restitution that "
+                            "rises with speed, where a neck takes energy.",
                .experiment = "Sign of the slope of e at low speed; the same shots on a powdered or "
                              "a wet plate.",
                .source = "Derjaguin, Muller & Toporov 1975; wet impacts: Gorin et al.",
