@@ -133,7 +133,7 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
   fit.map = residual_map(seen, fit.fit, around, level, seed);
   fit.remaining_threshold = around.threshold(level, seed);
   for (const EffectScore& score : around.scores())
-    fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
+    fit.best_remaining = std::max(fit.best_remaining, score.gain_of_known_noise);
   fit.judged = true;
   fit.further_force = test_further_force(seen, fit.fit, around);
   fit.adequate = fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&

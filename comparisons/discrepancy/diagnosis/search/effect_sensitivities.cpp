@@ -105,6 +105,7 @@ void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen
   const double whole = change.squaredNorm(), left = sensitivity.sensitivity.squaredNorm();
   if (!(std::sqrt(left) * card.prior_scale > invisible) || !(left > fully_absorbed * whole)) return;
   sensitivity.absorbed = 1.0 - left / whole;
+  sensitivity.noise_freedom = noise_freedom_at(seen_, frequency_of(sensitivity.sensitivity));
   sensitivities_.push_back(std::move(sensitivity));
 }
 
@@ -123,6 +124,7 @@ EffectScore EffectSensitivities::score_of(const EffectSensitivity& d) const {
     // It is there or not: what it gains is that of its one size, whatever size would fit best.
     score.size = 1.0;
     score.gain_chi_square = std::max(0.0, -2.0 * d.sensitivity.dot(r) - square);
+    score.gain_of_known_noise = square_of_known_noise(score.gain_chi_square, d.noise_freedom);
     return score;
   }
   const double sign = card.null <= card.range.lowest    ? 1.0
@@ -130,6 +132,7 @@ EffectScore EffectSensitivities::score_of(const EffectSensitivity& d) const {
                                                         : 0.0;
   const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
   score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
+  score.gain_of_known_noise = square_of_known_noise(score.gain_chi_square, d.noise_freedom);
   return score;
 }
 

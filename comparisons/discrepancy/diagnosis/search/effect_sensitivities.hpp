@@ -19,6 +19,7 @@ struct EffectSensitivity {
   EffectChoice effect;          ///< name, and the further parameters it was taken at
   Eigen::VectorXd sensitivity;  ///< d, per unit of size [rows]
   double absorbed = 0.0;        ///< share of |∂r/∂s|² that the fit's own unknowns can mimic
+  double noise_freedom = 0.0;   ///< of the noise where the effect shows, see noise_freedom_at()
 
   double size_error() const { return 1.0 / sensitivity.norm(); }
 };
@@ -29,6 +30,9 @@ struct EffectScore {
   double size = 0.0;             ///< ŝ, to first order
   double size_error = 0.0;       ///< σ_s
   double gain_chi_square = 0.0;  ///< Δχ² to first order; 0 where ŝ is on the wrong side
+  /// The gain that would be as unlikely without an effect if the noise were known and not
+  /// estimated: what threshold() is for.
+  double gain_of_known_noise = 0.0;
 };
 
 /// One effect at one finite size, nothing refitted.

@@ -4,7 +4,12 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <vector>
+
+#include "comparisons/inference/calibration/autocorrelation.hpp"
+#include "comparisons/inference/calibration/distributions.hpp"
 
 namespace rebound {
 
@@ -43,6 +48,40 @@ double quantile_of_largest(const Eigen::MatrixXd& units, double level, std::uint
   const auto place = static_cast<std::ptrdiff_t>((1.0 - level) * draws);
   std::nth_element(largest.begin(), largest.begin() + place, largest.end());
   return largest[static_cast<std::size_t>(place)];
+}
+
+double noise_freedom_at(const Observations& seen, double angular_frequency) {
+  if (!(seen.noise_freedom > 0.0)) return std::numeric_limits<double>::infinity();
+  double largest = 0.0;  // power over the variance
+  for (const MeasuredImpact& shot : seen.shots) {
+    if (shot.noise.autocorrelation.empty()) continue;
+    const LinearPredictors predictors = linear_predictors(shot.noise.autocorrelation);
+    const std::vector<double>& a = predictors.coefficients.back();
+    std::complex<double> left = 1.0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+      left -= a[k] * std::polar(1.0, -static_cast<double>(k + 1) * angular_frequency);
+    largest = std::max(largest, predictors.variance.back() / std::norm(left));
+  }
+  return seen.noise_freedom / (1.0 + 2.0 * largest);
+}
+
+double frequency_of(const Eigen::VectorXd& rows) {
+  const Eigen::Index pairs = rows.size() - 1;
+  const double square = rows.squaredNorm();
+  if (pairs < 1 || !(square > 0.0)) return 0.0;
+  return std::acos(std::clamp(rows.head(pairs).dot(rows.tail(pairs)) / square, -1.0, 1.0));
+}
+
+double square_of_estimated_noise(double square, double freedom) {
+  if (!std::isfinite(freedom) || !(square > 0.0)) return square;
+  return fisher_quantile(1.0, freedom, 1.0 - chi_squared_chance_above(1.0, square));
+}
+
+double square_of_known_noise(double square, double freedom) {
+  if (!std::isfinite(freedom) || !(square > 0.0)) return square;
+  constexpr double least = 1e-15;
+  return chi_squared_quantile(1.0,
+                              1.0 - std::max(least, fisher_chance_above(1.0, freedom, square)));
 }
 
 }  // namespace rebound

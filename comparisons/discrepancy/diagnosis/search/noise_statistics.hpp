@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "comparisons/inference/calibration/observations.hpp"
+
 namespace rebound {
 
 /// Rows q_j with q_i · q_j = u_i · u_j, in as few numbers as the columns span: Cholesky's factor of
@@ -21,5 +23,36 @@ Eigen::MatrixXd coordinates_in_own_span(const Eigen::MatrixXd& units);
 /// Limit: one column gives the two-sided normal quantile
 ///        -> test NoiseStatisticsTest.OneStatisticIsNormal.
 double quantile_of_largest(const Eigen::MatrixXd& units, double level, std::uint64_t seed);
+
+/// How well the samples before contact tell the noise at a frequency: freedom ν of its power, as an
+/// estimate that is χ²_ν distributed.
+///
+///   ν = N/(1 + 2 S(ω)/γ₀),   S/γ₀ = (1 − Σ a_k ρ_k)/|1 − Σ a_k exp(−i k ω)|²
+///
+///   ω   radians per sample     a_k, ρ_k   coefficients and autocorrelation of the noise
+///   S   its spectrum, of mean γ₀, the variance
+///
+/// N samples tell the power of white noise to √(2/N). That of a series of order one with
+/// coefficient a is known at zero to 2/N + 4 (1 + a)/((1 − a) N), for a is estimated, too: what is
+/// slow passes for an effect where the quiet is short.
+///
+/// Valid:  series of order one; of higher orders, about.
+/// Limit:  infinite where the noise is known; N where it is white
+///         -> test NoiseStatisticsTest.SlowNoiseIsKnownFromFewerSamples.
+/// Source: G. E. P. Box & G. M. Jenkins, Time Series Analysis (1970): the variance of an
+///         autoregressive coefficient is (1 − a²)/N.
+double noise_freedom_at(const Observations& seen, double angular_frequency);
+
+/// A frequency at which most of a column of whitened rows lies, from how alike neighbours are
+/// [rad].
+double frequency_of(const Eigen::VectorXd& rows);
+
+/// What a squared statistic of noise must exceed where that noise is estimated with ν degrees of
+/// freedom, for the chance with which χ²₁ exceeds `square`: a quantile of Fisher's F(1, ν).
+/// Limit: ν → ∞ gives `square` -> test NoiseStatisticsTest.SlowNoiseIsKnownFromFewerSamples.
+double square_of_estimated_noise(double square, double freedom);
+
+/// The other way round: the square that is as unlikely where the noise is known, 64 at most.
+double square_of_known_noise(double square, double freedom);
 
 }  // namespace rebound

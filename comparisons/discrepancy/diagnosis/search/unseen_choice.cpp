@@ -108,10 +108,10 @@ std::vector<std::string> faults_of_one_shot(const Observations& all, const Hypot
   const std::vector<EffectScore> scores = around.scores();
   double least = around.threshold(rules.false_gap_level, seed);
   for (const EffectScore& score : scores)
-    least = std::max(least, score.gain_chi_square - rules.close_criterion);
+    least = std::max(least, score.gain_of_known_noise - rules.close_criterion);
   std::vector<std::string> seen;
   for (const EffectScore& score : scores)
-    if (score.gain_chi_square >= least) seen.push_back(score.name);
+    if (score.gain_of_known_noise >= least) seen.push_back(score.name);
   return seen;
 }
 
