@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "lumped/problem/error.hpp"
 
@@ -70,6 +71,26 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
       leaves_little_force(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
+bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
+  return fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
+         fit.best_remaining <= fit.remaining_threshold &&
+         !fit.leaves_a_force(rules.smallest_adequate_p);
+}
+
+/// Noise that few samples tell is known to a factor, and what is slow in it passes for a gap.
+void allow_for_estimated_noise(const Observations& seen, const EffectSensitivities& around,
+                               AssessedFit& believed) {
+  const double freedom = noise_freedom_at(seen, 0.0);
+  if (!std::isfinite(freedom)) return;
+  believed.map.threshold = limit_of_estimated_noise(believed.map.threshold, freedom);
+  believed.best_remaining = 0.0;
+  for (const EffectScore& score : around.scores())
+    believed.best_remaining = std::max(believed.best_remaining, score.gain_of_known_noise);
+  if (ForceScoreTest& force = believed.further_force; force.freedom > 0)
+    force.p_value = std::min(
+        1.0, 2.0 * fisher_chance_above(force.freedom, freedom, force.chi_square / force.freedom));
+}
+
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
 /// it.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
@@ -133,21 +154,21 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
   fit.map = residual_map(seen, fit.fit, around, level, seed);
   fit.remaining_threshold = around.threshold(level, seed);
   for (const EffectScore& score : around.scores())
-    fit.best_remaining = std::max(fit.best_remaining, score.gain_of_known_noise);
+    fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
   fit.judged = true;
   fit.further_force = test_further_force(seen, fit.fit, around);
-  fit.adequate = fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
-                 fit.best_remaining <= fit.remaining_threshold &&
-                 !fit.leaves_a_force(rules.smallest_adequate_p);
+  fit.adequate = leaves_nothing(rules, fit);
 }
 
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed) {
   look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
+  allow_for_estimated_noise(seen, around, believed);
+  believed.adequate = leaves_nothing(rules, believed);
   if (!believed.adequate || believed.fit.hypothesis.fem) return;
   believed.best_remaining =
       std::max(believed.best_remaining, gain_of_jumps(seen, believed.fit, around));
-  believed.adequate = believed.best_remaining <= believed.remaining_threshold;
+  believed.adequate = leaves_nothing(rules, believed);
 }
 
 AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,

@@ -80,10 +80,15 @@ AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
 void look_closely(const Observations& seen, const EffectSensitivities& around,
                   const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
 
-/// The same of a model that is believed. Effects that jump at first touch are fitted in full beside
-/// a lumped one: to first order they are looked for where the law has the touch.
-/// Limit:  a weak pull under noise with a colour is seen, and no more than without -> tests
-///         JumpAtTouchTest.AWeakPullIsSeenByAFit, JumpAtTouchTest.WhereNothingPullsAFitFindsNoMore.
+/// The same of a model that is believed, with two things more. Where the noise is estimated, all
+/// limits are those of noise that is known with as many samples; a candidate is judged as if it
+/// were known, for a search that goes on too long costs time and no name. Effects that jump at
+/// first touch are fitted in full beside a lumped one: to first order they are looked for where the
+/// law has the touch. Limit:  a weak pull under noise with a colour is seen, and no more than
+/// without -> tests
+///         JumpAtTouchTest.AWeakPullIsSeenByAFit, JumpAtTouchTest.WhereNothingPullsAFitFindsNoMore;
+///         of noise whose colour few samples tell -> test
+///         NotFooledTest.CorrelatedNoiseIsNoGapWhereTheQuietIsShort.
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed);
 

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
-#include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
 
@@ -82,8 +81,7 @@ Eigen::VectorXd whitened_rows(const Observations& seen, const std::vector<Loop>&
 /// Columns as they come, with the fit's unknowns projected out; those that it can take are none.
 class Columns {
  public:
-  Columns(const EffectSensitivities& around, double noise_freedom)
-      : around_(around), noise_freedom_(noise_freedom) {}
+  explicit Columns(const EffectSensitivities& around) : around_(around) {}
 
   void add(const Eigen::VectorXd& column) {
     constexpr double absorbed = 0.05;  // what is left of a unit column
@@ -104,17 +102,12 @@ class Columns {
     turned.applyOnTheLeft(qr.householderQ().transpose());
     ForceScoreTest test{.chi_square = turned.head(qr.rank()).squaredNorm(),
                         .freedom = static_cast<int>(qr.rank())};
-    if (test.freedom == 0) return test;
-    test.p_value =
-        std::isfinite(noise_freedom_)
-            ? fisher_chance_above(test.freedom, noise_freedom_, test.chi_square / test.freedom)
-            : chi_squared_chance_above(test.freedom, test.chi_square);
+    test.p_value = chi_squared_chance_above(test.freedom, test.chi_square);
     return test;
   }
 
  private:
   const EffectSensitivities& around_;
-  double noise_freedom_;
   std::vector<Eigen::VectorXd> kept_;
 };
 
@@ -133,8 +126,7 @@ ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit&
   if (fit.hypothesis.fem || fit.hypothesis.model_discrepancy) return {};
   const std::vector<Loop> loops = loops_of(seen, fit);
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
-  const double noise_freedom = noise_freedom_at(seen, 0.0);
-  Columns of_all(around, noise_freedom), of_speeds(around, noise_freedom);
+  Columns of_all(around), of_speeds(around);
   std::vector<std::size_t> every(seen.shots.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   for (const Hat& hat : hats_over(deepest_of(loops, every), intervals_of_all))

@@ -20,8 +20,7 @@ struct ForceScoreTest {
 ///   f = Σ a_j b_j(x),   b_j straight lines between points of the deflection x, loading and
 ///                       unloading apart
 ///   χ² = |P r|²,        P onto the whitened b_j with the fit's unknowns projected out, rank k;
-///                       χ²_k distributed where nothing is missing, and over k as F(k, ν) where
-///                       the noise is estimated, ν as noise_freedom_at() zero has it
+///                       χ²_k distributed where nothing is missing
 ///
 /// χ² of all readings hides what a few numbers tell: of two thousand readings its deviation is 63,
 /// of these thirty 8. One force for all speeds has 34 points over the largest deflection of all,

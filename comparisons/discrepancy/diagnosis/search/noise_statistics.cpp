@@ -72,9 +72,9 @@ double frequency_of(const Eigen::VectorXd& rows) {
   return std::acos(std::clamp(rows.head(pairs).dot(rows.tail(pairs)) / square, -1.0, 1.0));
 }
 
-double square_of_estimated_noise(double square, double freedom) {
-  if (!std::isfinite(freedom) || !(square > 0.0)) return square;
-  return fisher_quantile(1.0, freedom, 1.0 - chi_squared_chance_above(1.0, square));
+double limit_of_estimated_noise(double limit, double freedom) {
+  if (!std::isfinite(freedom) || !(limit > 0.0)) return limit;
+  return student_quantile(freedom, 1.0 - 0.5 * chi_squared_chance_above(1.0, limit * limit));
 }
 
 double square_of_known_noise(double square, double freedom) {

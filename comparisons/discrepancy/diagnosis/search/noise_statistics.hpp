@@ -47,12 +47,12 @@ double noise_freedom_at(const Observations& seen, double angular_frequency);
 /// [rad].
 double frequency_of(const Eigen::VectorXd& rows);
 
-/// What a squared statistic of noise must exceed where that noise is estimated with ν degrees of
-/// freedom, for the chance with which χ²₁ exceeds `square`: a quantile of Fisher's F(1, ν).
-/// Limit: ν → ∞ gives `square` -> test NoiseStatisticsTest.SlowNoiseIsKnownFromFewerSamples.
-double square_of_estimated_noise(double square, double freedom);
+/// What |u · ε| must exceed where the noise is estimated with ν degrees of freedom, for the chance
+/// with which it exceeds `limit` where the noise is known: a quantile of Student's t.
+/// Limit: ν → ∞ gives `limit` -> test NoiseStatisticsTest.SlowNoiseIsKnownFromFewerSamples.
+double limit_of_estimated_noise(double limit, double freedom);
 
-/// The other way round: the square that is as unlikely where the noise is known, 64 at most.
+/// The other way round, of squares: what is as unlikely where the noise is known, 64 at most.
 double square_of_known_noise(double square, double freedom);
 
 }  // namespace rebound

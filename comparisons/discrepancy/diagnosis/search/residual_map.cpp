@@ -87,8 +87,7 @@ ResidualMap residual_map(const Observations& seen, const HypothesisFit& fit,
     units.col(static_cast<Eigen::Index>(c)) = left.normalized();
     map.largest = std::max(map.largest, std::abs(cell.z));
   }
-  const double known = quantile_of_largest(units, level, seed);
-  map.threshold = std::sqrt(square_of_estimated_noise(known * known, noise_freedom_at(seen, 0.0)));
+  map.threshold = quantile_of_largest(units, level, seed);
   return map;
 }
 

@@ -6,6 +6,7 @@
 #include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
 #include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
+#include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/discrepancy/diagnosis/search/unseen_choice.hpp"
 
 namespace rebound {
@@ -62,9 +63,10 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
                            const EffectSelection& selection, const SelectionRules& rules,
                            std::uint64_t seed) {
   const AssessedFit& baseline = selection.baseline;
+  const ResidualMap map = residual_map(seen, baseline.fit, around, rules.candidate_level, seed);
   return baseline.p_value > rules.smallest_adequate_p &&
          !baseline.leaves_a_force(rules.smallest_adequate_p) &&
-         residual_map(seen, baseline.fit, around, rules.candidate_level, seed).quiet() &&
+         map.largest <= limit_of_estimated_noise(map.threshold, noise_freedom_at(seen, 0.0)) &&
          std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
            return gain_over(baseline, one) > rules.close_criterion;
          });

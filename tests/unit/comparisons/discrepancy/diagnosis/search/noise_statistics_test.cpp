@@ -105,10 +105,10 @@ TEST(NoiseStatisticsTest, SlowNoiseIsKnownFromFewerSamples) {
   EXPECT_EQ(noise_freedom_at(seen, 0.0), 120.0);
   seen.noise_freedom = 0.0;
   EXPECT_TRUE(std::isinf(noise_freedom_at(seen, 0.0)));
-  EXPECT_EQ(square_of_estimated_noise(15.0, noise_freedom_at(seen, 0.0)), 15.0);
-  EXPECT_NEAR(square_of_estimated_noise(15.0, 1e7), 15.0, 1e-3);
+  EXPECT_EQ(limit_of_estimated_noise(3.9, noise_freedom_at(seen, 0.0)), 3.9);
+  EXPECT_NEAR(limit_of_estimated_noise(3.9, 1e7), 3.9, 1e-4);
   const double t = student_quantile(13.0, 1.0 - 0.5 * chi_squared_chance_above(1.0, 15.0));
-  EXPECT_NEAR(square_of_estimated_noise(15.0, 13.0), t * t, 1e-6);
+  EXPECT_NEAR(limit_of_estimated_noise(std::sqrt(15.0), 13.0), t, 1e-6);
   EXPECT_NEAR(square_of_known_noise(t * t, 13.0), 15.0, 1e-6);
 }
 
