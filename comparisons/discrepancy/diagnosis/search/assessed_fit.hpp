@@ -84,11 +84,13 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
 /// limits are those of noise that is known with as many samples; a candidate is judged as if it
 /// were known, for a search that goes on too long costs time and no name. Effects that jump at
 /// first touch are fitted in full beside a lumped one: to first order they are looked for where the
-/// law has the touch. Limit:  a weak pull under noise with a colour is seen, and no more than
-/// without -> tests
-///         JumpAtTouchTest.AWeakPullIsSeenByAFit, JumpAtTouchTest.WhereNothingPullsAFitFindsNoMore;
-///         of noise whose colour few samples tell -> test
-///         NotFooledTest.CorrelatedNoiseIsNoGapWhereTheQuietIsShort.
+/// law has the touch.
+///
+/// Limit:  a weak pull under noise with a colour is seen, and nothing more where nothing pulls
+///         -> tests JumpAtTouchTest.AWeakPullIsSeenByAFit,
+///            JumpAtTouchTest.WhereNothingPullsAFitFindsNoMore;
+///         noise whose colour few samples tell is no gap
+///         -> test NotFooledTest.CorrelatedNoiseIsNoGapWhereTheQuietIsShort.
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed);
 
