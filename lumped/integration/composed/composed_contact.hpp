@@ -27,8 +27,8 @@ namespace rebound {
 ///   D   energy lost, or held in the branch [J]
 ///
 /// Order of composition: the law's F_e takes its factors, then the memory of
-/// the largest approach; relaxation (the law's own branch and up to three more), finite sphere and
-/// adhesion see the result.
+/// the largest approach; relaxation (the law's own branch and up to three more) and finite sphere
+/// see the result. Adhesion sees nothing of it.
 ///
 /// Valid:   every law with every set of mechanisms; friction is refused.
 /// Limit:   without mechanisms the bare law -> test ComposedContactTest.NothingIsTheBareLaw.

@@ -124,14 +124,13 @@ EffectScore EffectSensitivities::score_of(const EffectSensitivity& d) const {
     // It is there or not: what it gains is that of its one size, whatever size would fit best.
     score.size = 1.0;
     score.gain_chi_square = std::max(0.0, -2.0 * d.sensitivity.dot(r) - square);
-    score.gain_of_known_noise = square_of_known_noise(score.gain_chi_square, d.noise_freedom);
-    return score;
+  } else {
+    const double sign = card.null <= card.range.lowest    ? 1.0
+                        : card.null >= card.range.highest ? -1.0
+                                                          : 0.0;
+    const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
+    score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
   }
-  const double sign = card.null <= card.range.lowest    ? 1.0
-                      : card.null >= card.range.highest ? -1.0
-                                                        : 0.0;
-  const bool wrong_side = sign * score.size < 0.0 && std::isfinite(card.null);
-  score.gain_chi_square = wrong_side ? 0.0 : score.size * score.size * square;
   score.gain_of_known_noise = square_of_known_noise(score.gain_chi_square, d.noise_freedom);
   return score;
 }
