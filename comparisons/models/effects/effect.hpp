@@ -69,8 +69,6 @@ struct EffectParameterCard {
   bool fitted = false;  ///< unknown of a diagnosis; otherwise it stays as given
   /// False: a number of the lumped form alone. In FE nothing fits it, and a file may not change it.
   bool in_fem = true;
-  /// False: a number of the FE form alone, by the same rules.
-  bool in_lumped = true;
   /// At its default no fit looks for it: the model chooses it, or the formula has it so.
   bool is_left_open = false;
   ParameterKind kind = ParameterKind::logarithmic;

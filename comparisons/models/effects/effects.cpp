@@ -47,16 +47,15 @@ void apply_at(void (*apply)(const EffectChoice&, Record&), const EffectChoice& c
                .allowed = "effects with a form in this tier"});
 }
 
-/// A number that the form of this tier does not have would pass unseen.
-void refuse_numbers_of_other_tier(const EffectCard& card, const EffectChoice& choice, bool in_fem,
-                                  std::size_t index) {
+/// A number that the FE form does not have would pass unseen.
+void refuse_numbers_of_lumped_form(const EffectCard& card, const EffectChoice& choice,
+                                   std::size_t index) {
   for (const EffectParameterCard& one : card.parameters) {
     const double value = choice.parameters.at(one.name);
     const bool measured = one.kind == ParameterKind::largest_deflection;  // that of another model
-    if (!(in_fem ? one.in_fem : one.in_lumped) && !measured && value != one.default_value)
+    if (!one.in_fem && !measured && value != one.default_value)
       throw Error(ExitCode::bad_input,
-                  std::string("the ") + (in_fem ? "FE" : "lumped") + " form of '" + card.name +
-                      "' has no number '" + one.name + "'",
+                  "the FE form of '" + card.name + "' has no number '" + one.name + "'",
                   {.key = path_of(index) + "." + one.name,
                    .value = number_text(value),
                    .allowed = number_text(one.default_value) + ", or left out"});
@@ -84,8 +83,8 @@ void apply_all(const std::vector<EffectChoice>& effects, Record& record,
     if (!seen.insert(choice.name).second)
       throw Error(ExitCode::bad_input, "the effect '" + choice.name + "' is given twice",
                   {.key = path_of(i) + ".name", .value = choice.name, .allowed = "once"});
-    if constexpr (!std::is_same_v<Record, MeasurementChain>)
-      refuse_numbers_of_other_tier(effect.card, choice, std::is_same_v<Record, FemProblem>, i);
+    if constexpr (std::is_same_v<Record, FemProblem>)
+      refuse_numbers_of_lumped_form(effect.card, choice, i);
     const auto apply = effect.*form;
     if (!apply) {
       if (tier.empty()) continue;  // the measurement passes over what is physical
@@ -112,12 +111,12 @@ bool acts_on_one_shot(const EffectCard& card) {
 }
 
 bool makes_variants(const EffectParameterCard& parameter) {
-  return parameter.kind != ParameterKind::shot && parameter.in_lumped && !parameter.tried.empty() &&
+  return parameter.kind != ParameterKind::shot && !parameter.tried.empty() &&
          (!parameter.fitted || parameter.is_left_open);
 }
 
 bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectChoice& choice) {
-  if (!parameter.fitted || !(of_fem ? parameter.in_fem : parameter.in_lumped)) return false;
+  if (!parameter.fitted || (of_fem && !parameter.in_fem)) return false;
   if (!parameter.is_left_open) return true;
   const auto given = choice.parameters.find(parameter.name);
   return given != choice.parameters.end() && given->second != parameter.default_value;
@@ -127,7 +126,7 @@ double share_next_to_null(const EffectCard& card) {
   constexpr double usual = 0.01, of_a_shape = 1e-4;
   const bool has_shape =
       std::any_of(card.parameters.begin(), card.parameters.end(),
-                  [](const EffectParameterCard& one) { return one.is_left_open && one.in_lumped; });
+                  [](const EffectParameterCard& one) { return one.is_left_open; });
   return has_shape ? of_a_shape : usual;
 }
 

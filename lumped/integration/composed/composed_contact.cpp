@@ -124,8 +124,7 @@ ComposedContact::Forces ComposedContact::forces(const Phase& phase, const State&
                    : law.damping_force(x, rate);
       },
       law_);
-  f.adhesion = -pull_off_;
-  if (mechanisms_.pull.act()) f.adhesion -= pull(phase, y);
+  if (pulls()) f.adhesion = -pull(phase, y);
   return f;
 }
 
@@ -139,11 +138,15 @@ double ComposedContact::deflection_left(const Phase& phase, const State& y) cons
 }
 
 double ComposedContact::pull(const Phase& phase, const State& y) const {
+  const PullCurves& curves = mechanisms_.pull;
+  if (!curves.act() && phase.kind != Kind::pulled) return pull_off_;
   const double left = deflection_left(phase, y);
   if (left < 0.0 && phase.kind == Kind::pulled)
-    return pull_scale_ * pull_beyond(mechanisms_.pull, -left, radius_);
-  return pull_scale_ * pull_in_contact(mechanisms_.pull, left, phase.largest, radius_,
-                                       phase.kind != Kind::loading);
+    return pull_off_ * neck_share(-left, mechanisms_.adhesion_reach * radius_) +
+           (curves.act() ? pull_scale_ * pull_beyond(curves, -left, radius_) : 0.0);
+  if (!curves.act()) return pull_off_;
+  return pull_off_ + pull_scale_ * pull_in_contact(curves, left, phase.largest, radius_,
+                                                   phase.kind != Kind::loading);
 }
 
 ComposedContact::Forces ComposedContact::acting_forces(const Phase& phase, const State& y) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -142,6 +143,11 @@ class ComposedContact {
   double stored_energy(const Phase& phase, const State& y) const;
   bool remembers() const;
   bool pulls() const { return pull_off_ != 0.0 || mechanisms_.pull.act(); }
+  /// Gap at which the last pull ends; 0: none beyond the plate [m].
+  double reach_of_pulls() const {
+    const double neck = pull_off_ != 0.0 ? mechanisms_.adhesion_reach : 0.0;
+    return radius_ * std::max(neck, mechanisms_.pull.gap_reach);
+  }
   bool may_touch_again(const State& y) const;
 
   AnyLaw law_;

@@ -12,7 +12,7 @@ using Kind = ContactPhase::Kind;
 using State = ComposedContact::State;
 
 bool ComposedContact::remembers() const {
-  return mechanisms_.memory != UnloadingMemory{} || pulls();
+  return mechanisms_.memory != UnloadingMemory{} || mechanisms_.pull.act();
 }
 
 ComposedContact::EventFunctions ComposedContact::event_functions(const Phase& phase) const {
@@ -38,7 +38,7 @@ double ComposedContact::indicator(Event event, const Phase& phase, const State& 
     case Event::separated:
       return setup_.separation == SeparationRule::zero_force ? left
                                                              : centre_of_mass_deflection(phase, y);
-    case Event::ruptured: return mechanisms_.pull.gap_reach * radius_ + left;
+    case Event::ruptured: return reach_of_pulls() + left;
     case Event::touching: {
       // Clear of the zero at which they parted, or rounding would close it again.
       constexpr double clearance = 1e-6;
@@ -92,7 +92,7 @@ std::optional<ContactPhase> ComposedContact::next_phase(Event event, const Phase
     }
     case Event::released:
     case Event::separated:
-      if (mechanisms_.pull.gap_reach > 0.0) {
+      if (reach_of_pulls() > 0.0) {
         y[dissipated] += stored_energy(phase, y);
         return Phase{Kind::pulled, phase.kind == Kind::loading ? y[approach] : phase.largest};
       }

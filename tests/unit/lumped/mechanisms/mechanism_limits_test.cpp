@@ -137,6 +137,24 @@ TEST(AdhesionTest, PullsFromTouchToPullOffAndTakesNoEnergy) {
   EXPECT_NEAR(simulate_fast(hardly).scalars.peak_force, without, 1e-8 * without);
 }
 
+TEST(AdhesionTest, ANeckTakesItsArea) {
+  constexpr double work = 30.0, reach = 0.02;
+  const auto sticky = with(elastic_problem(), [&](Mechanisms& m) {
+    m.adhesion = work;
+    m.adhesion_reach = reach;
+  });
+  const double radius = sticky.sphere.radius(), speed = sticky.impact.speed;
+  const double taken = 2.0 * std::numbers::pi * radius * work * reach * radius / 3.0;
+  const double brought = 0.5 * sticky.sphere.mass * speed * speed;
+  for (auto run : {simulate, simulate_fast}) {
+    const LumpedResult result = run(sticky);
+    EXPECT_NEAR(result.scalars.restitution, std::sqrt(1.0 - taken / brought), 1e-7);
+    EXPECT_NEAR(result.trace.deflection.back(), -reach * radius, 1e-6 * radius);
+    EXPECT_NEAR(result.trace.force.back(), 0.0, 1e-3);
+    EXPECT_LT(result.closures.energy, 1e-6);
+  }
+}
+
 TEST(AdhesionTest, ABallThatSticksHasNoRestitution) {
   auto problem =
       with(test::typical_problem("hunt-crossley"), [](Mechanisms& m) { m.adhesion = 2e4; });
