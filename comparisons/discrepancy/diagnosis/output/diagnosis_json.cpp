@@ -129,7 +129,7 @@ Json bootstrap_json(const SelectionBootstrap& bootstrap) {
   return {{"draws", bootstrap.draws}, {"chosen", chosen}};
 }
 
-Json further_force_json(const ForceScoreTest& test) {
+Json score_json(const ScoreTest& test) {
   if (test.freedom == 0) return nullptr;
   return {
       {"gain_chi_square", test.chi_square}, {"freedom", test.freedom}, {"p_value", test.p_value}};
@@ -150,7 +150,8 @@ Json tried_json(const std::vector<AssessedFit>& tried) {
                     {"remaining_threshold", one.remaining_threshold},
                     {"largest_z", one.map.largest},
                     {"z_threshold", one.map.threshold},
-                    {"further_force", further_force_json(one.further_force)},
+                    {"further_force", score_json(one.further_force)},
+                    {"varying_numbers", score_json(one.varying)},
                     {"explains", one.judged ? Json(one.adequate) : Json(nullptr)}});
   }
   return list;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
@@ -33,12 +34,18 @@ bool has_little_remaining(const AssessedFit& baseline, const AssessedFit& candid
          std::max(candidate.remaining_threshold, share * share * explained);
 }
 
-/// Is a force without a formula no more than what this share of the residuals is in χ²?
-bool leaves_little_force(const AssessedFit& baseline, const AssessedFit& candidate, double share,
-                         double least_chance) {
+/// Is what further numbers would bring no more than what this share of the residuals is in χ²?
+bool leaves_little(const ScoreTest& further, const AssessedFit& baseline,
+                   const AssessedFit& candidate, double share, double least_chance) {
   const double explained = baseline.fit.chi_square - candidate.fit.chi_square;
-  return !candidate.leaves_a_force(least_chance) ||
-         candidate.further_force.excess() <= share * share * explained;
+  return further.p_value > least_chance || further.excess() <= share * share * explained;
+}
+
+/// The same of a force without a formula and of the law's numbers.
+bool leaves_little(const AssessedFit& baseline, const AssessedFit& candidate, double share,
+                   double least_chance) {
+  return leaves_little(candidate.further_force, baseline, candidate, share, least_chance) &&
+         leaves_little(candidate.varying, baseline, candidate, share, least_chance);
 }
 
 /// Of the map, how far above its threshold what is nearly adequate may be.
@@ -51,13 +58,13 @@ void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, Asses
   const double z = largest_z(curve.map), left = share * largest_z(baseline.map);
   const bool beside_another = curve.fit.effects.size() > baseline.fit.effects.size() + 1;
   const double nearly = beside_another ? above_threshold : 1.0;
-  const auto leaves_little = [&](double most) {
+  const auto is_close = [&](double most) {
     return has_little_remaining(baseline, curve, most) &&
-           leaves_little_force(baseline, curve, most, rules.smallest_adequate_p);
+           leaves_little(baseline, curve, most, rules.smallest_adequate_p);
   };
-  curve.adequate = z <= std::max(curve.map.threshold, left) && leaves_little(share);
+  curve.adequate = z <= std::max(curve.map.threshold, left) && is_close(share);
   curve.nearly_adequate =
-      z <= std::max(nearly * curve.map.threshold, left) && leaves_little(most_remaining);
+      z <= std::max(nearly * curve.map.threshold, left) && is_close(most_remaining);
 }
 
 /// A formula that leaves a little is nearly what is missing: of the map a fifth above its
@@ -68,13 +75,21 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
       formula.p_value > rules.smallest_adequate_p &&
       largest_z(formula.map) <= above_threshold * formula.map.threshold &&
       has_little_remaining(baseline, formula, most_remaining) &&
-      leaves_little_force(baseline, formula, most_remaining, rules.smallest_adequate_p);
+      leaves_little(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
 bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
   return fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
          fit.best_remaining <= fit.remaining_threshold &&
-         !fit.leaves_a_force(rules.smallest_adequate_p);
+         !fit.leaves_a_force(rules.smallest_adequate_p) &&
+         !fit.leaves_varying_numbers(rules.smallest_adequate_p);
+}
+
+/// What numbers that the fit does not have would bring, with noise that so many samples told.
+void test_further_numbers(const Observations& seen, const EffectSensitivities& around,
+                          double noise_freedom, AssessedFit& fit) {
+  fit.further_force = test_further_force(seen, fit.fit, around, noise_freedom);
+  fit.varying = test_varying_numbers(seen, fit.fit, around, noise_freedom);
 }
 
 /// Noise that few samples tell is known to a factor, and what is slow in it passes for a gap.
@@ -86,24 +101,23 @@ void allow_for_estimated_noise(const Observations& seen, const EffectSensitiviti
   believed.best_remaining = 0.0;
   for (const EffectScore& score : around.scores())
     believed.best_remaining = std::max(believed.best_remaining, score.gain_of_known_noise);
-  if (ForceScoreTest& force = believed.further_force; force.freedom > 0)
-    force.p_value = std::min(
-        1.0, 2.0 * fisher_chance_above(force.freedom, freedom, force.chi_square / force.freedom));
+  test_further_numbers(seen, around, freedom, believed);
 }
 
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
-/// it.
+/// it, at each of the numbers it was tried at.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
                      const EffectSensitivities& around) {
   double most = 0.0;
-  for (const EffectScore& score : around.scores()) {
-    const EffectCard& card = find_effect(score.name).card;
+  for (const EffectSensitivity& tried : around.all()) {
+    const EffectCard& card = find_effect(tried.effect.name).card;
     if (!card.jumps_at_touch) continue;
-    const double size =
+    const EffectScore score = around.score_of(tried);
+    EffectChoice start = tried.effect;
+    start.size =
         std::clamp(std::max(score.size, score.size_error), card.range.lowest, card.range.highest);
     try {
-      const HypothesisFit with = fit_extended(
-          seen, fit, {{.name = score.name, .size = size, .parameters = {}}}, SearchEffort::whole);
+      const HypothesisFit with = fit_extended(seen, fit, {start}, SearchEffort::whole);
       most = std::max(most, fit.chi_square - with.chi_square);
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
@@ -156,7 +170,7 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
   for (const EffectScore& score : around.scores())
     fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
   fit.judged = true;
-  fit.further_force = test_further_force(seen, fit.fit, around);
+  test_further_numbers(seen, around, std::numeric_limits<double>::infinity(), fit);
   fit.adequate = leaves_nothing(rules, fit);
 }
 

@@ -62,7 +62,8 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
     : seen_(seen), fit_(fit), effects_(std::move(effects)), of_starts_(detail) {
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
   if (!fit.values.empty()) {
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(free_columns(fit));
+    jacobian_ = free_columns(fit);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_);
     basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
   } else {
     basis_.resize(rows, 0);

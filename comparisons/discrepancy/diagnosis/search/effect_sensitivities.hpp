@@ -65,6 +65,7 @@ class EffectSensitivities {
   /// unknowns have taken what they can; nothing where it has no form here or no answer.
   std::optional<double> rise(const EffectChoice& effect) const;
 
+  EffectScore score_of(const EffectSensitivity& sensitivity) const;
   /// Best score of each effect over the parameters it was taken at.
   std::vector<EffectScore> scores() const;
 
@@ -98,8 +99,10 @@ class EffectSensitivities {
   /// Takes what the fit can absorb out of a column of rows.
   Eigen::VectorXd project(const Eigen::VectorXd& column) const;
 
+  /// Of the fit, [rows][unknowns]; zero for what the data hold at its bound.
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+
  private:
-  EffectScore score_of(const EffectSensitivity& sensitivity) const;
   std::vector<EffectChoice> stronger_where_it_shows(const EffectCard& card) const;
   std::vector<EffectChoice> best_to_first_order(const EffectCard& card) const;
   std::vector<EffectProbe> probed(const std::vector<EffectChoice>& choices) const;
@@ -112,7 +115,8 @@ class EffectSensitivities {
   const HypothesisFit& fit_;
   std::vector<std::string> effects_;
   GridDetail of_starts_;
-  Eigen::MatrixXd basis_;  ///< orthonormal columns of the fit's Jacobian
+  Eigen::MatrixXd jacobian_;
+  Eigen::MatrixXd basis_;  ///< orthonormal columns of the Jacobian
   std::vector<EffectSensitivity> sensitivities_;
   std::vector<EffectProbe> probes_;  ///< best first
 };

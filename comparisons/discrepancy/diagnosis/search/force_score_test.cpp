@@ -1,13 +1,11 @@
 #include "comparisons/discrepancy/diagnosis/search/force_score_test.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
-#include "comparisons/inference/calibration/distributions.hpp"
 #include "comparisons/inference/calibration/whitening.hpp"
 
 namespace rebound {
@@ -78,39 +76,6 @@ Eigen::VectorXd whitened_rows(const Observations& seen, const std::vector<Loop>&
   return column;
 }
 
-/// Columns as they come, with the fit's unknowns projected out; those that it can take are none.
-class Columns {
- public:
-  explicit Columns(const EffectSensitivities& around) : around_(around) {}
-
-  void add(const Eigen::VectorXd& column) {
-    constexpr double absorbed = 0.05;  // what is left of a unit column
-    if (!(column.norm() > 0.0)) return;
-    const Eigen::VectorXd left = around_.project(column.normalized());
-    if (left.norm() > absorbed) kept_.push_back(left.normalized());
-  }
-
-  ForceScoreTest tested_on(const std::vector<double>& residuals) const {
-    if (kept_.empty()) return {};
-    constexpr double dependent = 1e-2;
-    Eigen::MatrixXd all(kept_.front().size(), std::ssize(kept_));
-    for (Eigen::Index j = 0; j < all.cols(); ++j) all.col(j) = kept_[static_cast<std::size_t>(j)];
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-    qr.setThreshold(dependent);
-    qr.compute(all);
-    Eigen::VectorXd turned = Eigen::Map<const Eigen::VectorXd>(residuals.data(), all.rows());
-    turned.applyOnTheLeft(qr.householderQ().transpose());
-    ForceScoreTest test{.chi_square = turned.head(qr.rank()).squaredNorm(),
-                        .freedom = static_cast<int>(qr.rank())};
-    test.p_value = chi_squared_chance_above(test.freedom, test.chi_square);
-    return test;
-  }
-
- private:
-  const EffectSensitivities& around_;
-  std::vector<Eigen::VectorXd> kept_;
-};
-
 double deepest_of(const std::vector<Loop>& loops, const std::vector<std::size_t>& shots) {
   double deepest = 0.0;
   for (const std::size_t i : shots)
@@ -120,13 +85,13 @@ double deepest_of(const std::vector<Loop>& loops, const std::vector<std::size_t>
 
 }  // namespace
 
-ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit& fit,
-                                  const EffectSensitivities& around) {
+ScoreTest test_further_force(const Observations& seen, const HypothesisFit& fit,
+                             const EffectSensitivities& around, double noise_freedom) {
   constexpr int intervals_of_all = 16, intervals_of_a_speed = 6;
   if (fit.hypothesis.fem || fit.hypothesis.model_discrepancy) return {};
   const std::vector<Loop> loops = loops_of(seen, fit);
   const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
-  Columns of_all(around), of_speeds(around);
+  ScoredColumns of_all(around), of_speeds(around);
   std::vector<std::size_t> every(seen.shots.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   for (const Hat& hat : hats_over(deepest_of(loops, every), intervals_of_all))
@@ -134,11 +99,8 @@ ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit&
   for (const SpeedCluster& cluster : speed_clusters(seen))
     for (const Hat& hat : hats_over(deepest_of(loops, cluster.shots), intervals_of_a_speed))
       of_speeds.add(whitened_rows(seen, loops, cluster.shots, hat, rows));
-  const ForceScoreTest first = of_all.tested_on(fit.residuals),
-                       second = of_speeds.tested_on(fit.residuals);
-  ForceScoreTest least = first.p_value < second.p_value ? first : second;
-  least.p_value = std::min(1.0, 2.0 * least.p_value);
-  return least;
+  return least_likely({of_all.tested_on(fit.residuals, noise_freedom),
+                       of_speeds.tested_on(fit.residuals, noise_freedom)});
 }
 
 }  // namespace rebound

@@ -1,26 +1,15 @@
 #pragma once
 
-#include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
+#include "comparisons/discrepancy/diagnosis/search/score_test.hpp"
 
 namespace rebound {
-
-/// Rao's score test of a further force without a formula.
-struct ForceScoreTest {
-  double chi_square = 0.0;  ///< what that force would gain, to first order
-  int freedom = 0;       ///< its numbers that the fit's own unknowns cannot take; 0: no histories
-  double p_value = 1.0;  ///< chance of as much or more where nothing is missing
-
-  /// Beyond what noise brings on average.
-  double excess() const { return chi_square - freedom; }
-};
 
 /// Would a force over the deflection, the same at every speed or another one at each, follow what a
 /// fit leaves over?
 ///
 ///   f = Σ a_j b_j(x),   b_j straight lines between points of the deflection x, loading and
 ///                       unloading apart
-///   χ² = |P r|²,        P onto the whitened b_j with the fit's unknowns projected out, rank k;
-///                       χ²_k distributed where nothing is missing
+/// They are tested as ScoredColumns.
 ///
 /// χ² of all readings hides what a few numbers tell: of two thousand readings its deviation is 63,
 /// of these thirty 8. One force for all speeds has 34 points over the largest deflection of all,
@@ -33,8 +22,7 @@ struct ForceScoreTest {
 ///          -> tests ForceScoreTest.OfNoiseItsChanceIsUniform,
 ///             ForceScoreTest.SeesWhatChiSquareDoesNot
 /// Errors:  those of an impact that has no answer.
-/// Source:  C. R. Rao, Proc. Camb. Phil. Soc. 44 (1948) 50.
-ForceScoreTest test_further_force(const Observations& seen, const HypothesisFit& fit,
-                                  const EffectSensitivities& around);
+ScoreTest test_further_force(const Observations& seen, const HypothesisFit& fit,
+                             const EffectSensitivities& around, double noise_freedom);
 
 }  // namespace rebound

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
@@ -31,7 +32,8 @@ TEST(ForceScoreTest, OfNoiseItsChanceIsUniform) {
   for (int seed = 300; seed < 360; ++seed) {
     const Observations seen = observe({without_effects(seed)});
     const HypothesisFit fit = fit_hypothesis(seen, {.believed = testing::believed_law()});
-    const ForceScoreTest test = test_further_force(seen, fit, EffectSensitivities(seen, fit, {}));
+    const ScoreTest test = test_further_force(seen, fit, EffectSensitivities(seen, fit, {}),
+                                              std::numeric_limits<double>::infinity());
     ASSERT_GT(test.freedom, 20);
     below_half += test.p_value < 0.5 ? 1 : 0;
     below_twentieth += test.p_value < 0.05 ? 1 : 0;
