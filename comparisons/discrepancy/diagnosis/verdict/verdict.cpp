@@ -10,6 +10,7 @@
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/search/limits_of_memory.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/candidate_family.hpp"
+#include "comparisons/discrepancy/diagnosis/verdict/shots_that_differ.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 #include "comparisons/models/parallel/in_parallel.hpp"
 
@@ -205,6 +206,7 @@ void locate(Diagnosis& d) {
 
 void conclude(Diagnosis& d, const SelectionRules& rules) {
   withdraw_what_cannot_fail(d, rules);
+  prefer_a_ball_that_stays(d);
   Additions additions(d);
   drop_sets_with_idle_members(d, additions);
   locate(d);
