@@ -165,10 +165,9 @@ struct Mechanisms {
   double gravity = 0.0;         ///< towards the plate [m/s²]
 
   static constexpr auto limits() {
-    return std::tuple{
-        Limit{&Mechanisms::adhesion, "adhesion", "J/m^2", from_to(0.0, 1e5)},
-        Limit{&Mechanisms::adhesion_reach, "adhesion_reach", "", from_to(0.0, 1.0)},
-        Limit{&Mechanisms::gravity, "gravity", "m/s^2", at_least(0.0)}};
+    return std::tuple{Limit{&Mechanisms::adhesion, "adhesion", "J/m^2", from_to(0.0, 1e5)},
+                      Limit{&Mechanisms::adhesion_reach, "adhesion_reach", "", from_to(0.0, 1.0)},
+                      Limit{&Mechanisms::gravity, "gravity", "m/s^2", at_least(0.0)}};
   }
   friend bool operator==(const Mechanisms&, const Mechanisms&) = default;
 

@@ -36,8 +36,8 @@ struct AssessedFit {
   double p_value = 0.0;         ///< of χ² over the data
   double best_remaining = 0.0;  ///< largest Δχ² that one more effect would bring, to first order
   double remaining_threshold = 0.0;
-  ScoreTest further_force;       ///< what a force without a formula would bring
-  ScoreTest varying;             ///< what other numbers of the law from shot to shot would bring
+  ScoreTest further_force;  ///< what a force without a formula would bring
+  ScoreTest varying;        ///< what other numbers of the law from shot to shot would bring
   /// Of the speed that no fit saw; absent where it was not asked.
   std::optional<double> unseen_chi_square;
   bool unseen_denies = false;  ///< a rival predicts that speed plainly better

@@ -36,9 +36,10 @@ ScoreTest ScoredColumns::tested_on(const std::vector<double>& residuals,
   turned.applyOnTheLeft(qr.householderQ().transpose());
   ScoreTest test{.chi_square = turned.head(qr.rank()).squaredNorm(),
                  .freedom = static_cast<int>(qr.rank())};
-  test.p_value = std::isfinite(noise_freedom)
-                     ? fisher_chance_above(test.freedom, noise_freedom, test.chi_square / test.freedom)
-                     : chi_squared_chance_above(test.freedom, test.chi_square);
+  test.p_value =
+      std::isfinite(noise_freedom)
+          ? fisher_chance_above(test.freedom, noise_freedom, test.chi_square / test.freedom)
+          : chi_squared_chance_above(test.freedom, test.chi_square);
   return test;
 }
 

@@ -48,9 +48,10 @@ void withhold_what_shots_alone_explain(Diagnosis& d, const Observations& all) {
     for (const MeasuredImpact& shot : all.shots) last = std::max(last, shot.number);
     return withhold(
         d, DiagnosisVerdict::unexplained,
-        fmt::format("the stiffness changes with the order of the shots, by {:+.3g} % from the first "
-                    "to the last: the ball is not one ball, and no family of effects says why",
-                    100.0 * std::expm1(ageing->size * (last - 1))));
+        fmt::format(
+            "the stiffness changes with the order of the shots, by {:+.3g} % from the first "
+            "to the last: the ball is not one ball, and no family of effects says why",
+            100.0 * std::expm1(ageing->size * (last - 1))));
   }
   const EffectChoice& found = d.best().effects.back();
   if (d.verdict != DiagnosisVerdict::measurement_fault || d.candidates.size() != 1 ||
@@ -58,11 +59,12 @@ void withhold_what_shots_alone_explain(Diagnosis& d, const Observations& all) {
     return;
   const auto number = static_cast<int>(std::lround(found.parameters.at("shot")));
   if (has_a_repeat(all, number)) return;
-  withhold(d, DiagnosisVerdict::unexplained,
-           fmt::format("shot {} is not like the others, in force and in time, and no other shot has "
-                       "its speed: a fault of that shot is not told from what begins at that speed; "
-                       "repeat it",
-                       number));
+  withhold(
+      d, DiagnosisVerdict::unexplained,
+      fmt::format("shot {} is not like the others, in force and in time, and no other shot has "
+                  "its speed: a fault of that shot is not told from what begins at that speed; "
+                  "repeat it",
+                  number));
 }
 
 }  // namespace rebound

@@ -7,10 +7,12 @@ Effect adhesion_effect() {
       .card = {.name = "adhesion",
                .kind = EffectKind::boundary,
                .family = EffectFamily::surface,
-               .sentence = "Ball and plate stick: a constant pull while in contact, to pull-off, and a "
-                           "neck that tears.",
-               .equation = "- 2 pi R s from first touch to pull-off, then - 2 pi R s (1 - gap/G)^2, "
-                           "G = range_over_radius R",
+               .sentence =
+                   "Ball and plate stick: a constant pull while in contact, to pull-off, and a "
+                   "neck that tears.",
+               .equation =
+                   "- 2 pi R s from first touch to pull-off, then - 2 pi R s (1 - gap/G)^2, "
+                   "G = range_over_radius R",
                .size_dimension = dimension::energy_per_area,
                .range = limit_of<&Mechanisms::adhesion>.range,
                .prior_scale = 20.0,

@@ -57,9 +57,8 @@ TEST(VaryingNumbersTest, SeesAStiffnessOfOneSpeed) {
   const Dataset honest = testing::measured_data(repeated_experiment({}, 11));
   const Dataset stiffer = with_another_stiffness_at(15.0, 0.01, honest);
   const Observations seen = observe({stiffer});
-  const AssessedFit fit =
-      judge_believed(seen, fit_hypothesis(seen, {.believed = testing::believed_law()}),
-                     absent_effects({}), {}, 1);
+  const AssessedFit fit = judge_believed(
+      seen, fit_hypothesis(seen, {.believed = testing::believed_law()}), absent_effects({}), {}, 1);
   EXPECT_GT(fit.p_value, 0.001);
   EXPECT_LT(fit.varying.p_value, 1e-3);
   EXPECT_FALSE(fit.adequate);
