@@ -12,7 +12,7 @@ using Kind = ContactPhase::Kind;
 using State = ComposedContact::State;
 
 bool ComposedContact::remembers() const {
-  return mechanisms_.memory != UnloadingMemory{} || mechanisms_.pull.act();
+  return mechanisms_.memory != UnloadingMemory{} || pulls();
 }
 
 ComposedContact::EventFunctions ComposedContact::event_functions(const Phase& phase) const {
