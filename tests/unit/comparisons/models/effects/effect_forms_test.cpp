@@ -40,6 +40,21 @@ TEST(EffectFormsTest, AnOddShotScalesItsTimeByAPowerOfItsForce) {
   EXPECT_DOUBLE_EQ(1.0 + chain.time_base, 1.44);
 }
 
+// Hertz's law, with a damping that follows it, knows one time and one force.
+TEST(EffectFormsTest, AnAgeingBallIsScaledAsItsStiffnessScalesIt) {
+  constexpr double per_shot = 0.1;
+  MeasurementChain third{.shot = 3};
+  apply_effects({{"ageing", per_shot, {}}}, third);
+  LumpedProblem first = test::elastic_with({});
+  first.model.parameters["damping"] = 8e4;
+  LumpedProblem stiffer = first;
+  for (const char* name : {"stiffness", "damping"})
+    stiffer.model.parameters[name] *= std::exp(2.0 * per_shot);
+  const ImpactScalars before = simulate_fast(first).scalars, after = simulate_fast(stiffer).scalars;
+  EXPECT_NEAR(1.0 + third.force_gain, after.peak_force / before.peak_force, 1e-6);
+  EXPECT_NEAR(1.0 + third.time_base, after.contact_time / before.contact_time, 1e-6);
+}
+
 // What is looked for by frequency swings at it.
 TEST(EffectFormsTest, AnOscillatorHasTheFrequencyThatItWasAskedFor) {
   constexpr double ball = 0.05;
@@ -85,9 +100,10 @@ TEST_P(EffectParameters, NoneIsIgnored) {
     SCOPED_TRACE(parameter.name);
     EffectChoice other = usual;
     other.parameters[parameter.name] = another_value(parameter);
-    if (effect.to_lumped)
+    if (effect.to_lumped) {
       EXPECT_NE(applied(other, test::problem_for_effects()),
                 applied(usual, test::problem_for_effects()));
+    }
     if (effect.to_fem && parameter.in_fem) {
       EXPECT_NE(applied(other, test::fem_problem_for_effects()),
                 applied(usual, test::fem_problem_for_effects()));
