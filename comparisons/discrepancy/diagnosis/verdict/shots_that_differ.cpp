@@ -50,7 +50,7 @@ void withhold_what_shots_alone_explain(Diagnosis& d, const Observations& all) {
         d, DiagnosisVerdict::unexplained,
         fmt::format(
             "the stiffness changes with the order of the shots, by {:+.3g} % from the first "
-            "to the last: the ball is not one ball, and no family of effects says why",
+            "to the last, which no family of effects does",
             100.0 * std::expm1(ageing->size * (last - 1))));
   }
   const EffectChoice& found = d.best().effects.back();
