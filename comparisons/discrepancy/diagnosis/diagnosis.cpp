@@ -135,8 +135,9 @@ void show_missing_force(Diagnosis& d) {
   }
 }
 
-/// Every step once, with the speed left out that the request says.
-Diagnosis diagnose_once(const DiagnosisRequest& request, const RunControl& control) {
+}  // namespace
+
+Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   Diagnosis d;
   d.seed = request.seed;
   Observations all = observe(request.datasets);
@@ -193,23 +194,6 @@ Diagnosis diagnose_once(const DiagnosisRequest& request, const RunControl& contr
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;
-}
-
-}  // namespace
-
-Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
-  Diagnosis d = diagnose_once(request, control);
-  const bool may_fit_all = d.held_out_speed && !request.held_out_speed;
-  if (!may_fit_all || !d.selection.weak_gap || d.verdict != DiagnosisVerdict::agrees) return d;
-  // What is weak is told by all shots or by none: the speed that was left out holds a third of it.
-  DiagnosisRequest of_all = request;
-  of_all.hold_out = false;
-  Diagnosis whole = diagnose_once(of_all, control);
-  if (whole.verdict == DiagnosisVerdict::agrees) return d;
-  whole.warnings.push_back(
-      "a gap that shows in all speeds together, and not without one of them: none was left out to "
-      "test the extended model");
-  return whole;
 }
 
 }  // namespace rebound

@@ -106,8 +106,7 @@ EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
             judge_candidate(seen, effects, rules, seed, selection.baseline, one);
           },
           selection);
-    selection.weak_gap = no_effect_is_worth_it(seen, around, selection, rules, seed);
-    selection.baseline.adequate = selection.weak_gap;
+    selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
   }
   if (selection.baseline.adequate) {
     selection.indistinguishable.clear();

@@ -16,9 +16,6 @@ struct EffectSelection {
   /// Where the baseline agrees with what it was fitted to, and leaves a gap in all shots together:
   /// faults of one shot that would make it.
   std::vector<std::string> faults_of_one_shot{};
-  /// A gap is seen, and noise makes it once in fifty data sets; no effect was worth its numbers in
-  /// the shots that were fitted.
-  bool weak_gap = false;
   EffectSensitivities::Cosines cosines;
   std::vector<ExcludedSize> excluded;          ///< where the baseline agrees with the data
   std::vector<AssessedFit> tried;              ///< all that were fitted, best criterion first
