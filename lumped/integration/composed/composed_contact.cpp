@@ -139,14 +139,15 @@ double ComposedContact::deflection_left(const Phase& phase, const State& y) cons
 
 double ComposedContact::pull(const Phase& phase, const State& y) const {
   const PullCurves& curves = mechanisms_.pull;
-  if (!curves.act() && phase.kind != Kind::pulled) return pull_off_;
   const double left = deflection_left(phase, y);
-  if (left < 0.0 && phase.kind == Kind::pulled)
-    return pull_off_ * neck_share(-left, mechanisms_.adhesion_reach * radius_) +
-           (curves.act() ? pull_scale_ * pull_beyond(curves, -left, radius_) : 0.0);
-  if (!curves.act()) return pull_off_;
-  return pull_off_ + pull_scale_ * pull_in_contact(curves, left, phase.largest, radius_,
-                                                   phase.kind != Kind::loading);
+  const bool by_a_neck = phase.kind == Kind::pulled && left < 0.0;
+  double pull = pull_off_;
+  if (by_a_neck) pull *= neck_share(-left, mechanisms_.adhesion_reach * radius_);
+  if (curves.act())
+    pull += pull_scale_ * (by_a_neck ? pull_beyond(curves, -left, radius_)
+                                     : pull_in_contact(curves, left, phase.largest, radius_,
+                                                       phase.kind != Kind::loading));
+  return pull;
 }
 
 ComposedContact::Forces ComposedContact::acting_forces(const Phase& phase, const State& y) const {

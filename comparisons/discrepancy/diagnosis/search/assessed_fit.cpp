@@ -85,25 +85,6 @@ bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
          !fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
-/// What numbers that the fit does not have would bring, with noise that so many samples told.
-void test_further_numbers(const Observations& seen, const EffectSensitivities& around,
-                          double noise_freedom, AssessedFit& fit) {
-  fit.further_force = test_further_force(seen, fit.fit, around, noise_freedom);
-  fit.varying = test_varying_numbers(seen, fit.fit, around, noise_freedom);
-}
-
-/// Noise that few samples tell is known to a factor, and what is slow in it passes for a gap.
-void allow_for_estimated_noise(const Observations& seen, const EffectSensitivities& around,
-                               AssessedFit& believed) {
-  const double freedom = noise_freedom_at(seen, 0.0);
-  if (!std::isfinite(freedom)) return;
-  believed.map.threshold = limit_of_estimated_noise(believed.map.threshold, freedom);
-  believed.best_remaining = 0.0;
-  for (const EffectScore& score : around.scores())
-    believed.best_remaining = std::max(believed.best_remaining, score.gain_of_known_noise);
-  test_further_numbers(seen, around, freedom, believed);
-}
-
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
 /// it, at each of the numbers it was tried at.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
@@ -164,21 +145,25 @@ AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
 }
 
 void look_closely(const Observations& seen, const EffectSensitivities& around,
-                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit) {
+                  const SelectionRules& rules, double level, std::uint64_t seed,
+                  double noise_freedom, AssessedFit& fit) {
+  const bool estimated = std::isfinite(noise_freedom);
   fit.map = residual_map(seen, fit.fit, around, level, seed);
+  if (estimated) fit.map.threshold = limit_of_estimated_noise(fit.map.threshold, noise_freedom);
   fit.remaining_threshold = around.threshold(level, seed);
   for (const EffectScore& score : around.scores())
-    fit.best_remaining = std::max(fit.best_remaining, score.gain_chi_square);
+    fit.best_remaining =
+        std::max(fit.best_remaining, estimated ? score.gain_of_known_noise : score.gain_chi_square);
+  fit.further_force = test_further_force(seen, fit.fit, around, noise_freedom);
+  fit.varying = test_varying_numbers(seen, fit.fit, around, noise_freedom);
   fit.judged = true;
-  test_further_numbers(seen, around, std::numeric_limits<double>::infinity(), fit);
   fit.adequate = leaves_nothing(rules, fit);
 }
 
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed) {
-  look_closely(seen, around, rules, rules.false_gap_level, seed, believed);
-  allow_for_estimated_noise(seen, around, believed);
-  believed.adequate = leaves_nothing(rules, believed);
+  look_closely(seen, around, rules, rules.false_gap_level, seed, noise_freedom_at(seen, 0.0),
+               believed);
   if (!believed.adequate || believed.fit.hypothesis.fem) return;
   believed.best_remaining =
       std::max(believed.best_remaining, gain_of_jumps(seen, believed.fit, around));
@@ -199,7 +184,7 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
                      AssessedFit& candidate) {
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
-  look_closely(seen, around, rules, rules.candidate_level, seed, candidate);
+  look_closely(seen, around, rules, rules.candidate_level, seed, known_noise, candidate);
   if (candidate.adequate) return;
   if (has_curve(candidate.fit))
     judge_curve(rules, baseline, candidate);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -79,16 +80,21 @@ std::vector<std::string> absent_effects(const std::vector<EffectChoice>& present
 AssessedFit judge_by_chi_square(const Observations& seen, HypothesisFit fit,
                                 const SelectionRules& rules);
 
-/// Looks at what is left over: the residual map, and what one more effect would bring by what is
-/// known around the fit.
-void look_closely(const Observations& seen, const EffectSensitivities& around,
-                  const SelectionRules& rules, double level, std::uint64_t seed, AssessedFit& fit);
+/// The freedom of noise that is known and not estimated.
+constexpr double known_noise = std::numeric_limits<double>::infinity();
 
-/// The same of a model that is believed, with two things more. Where the noise is estimated, all
-/// limits are those of noise that is known with as many samples; a candidate is judged as if it
-/// were known, for a search that goes on too long costs time and no name. Effects that jump at
-/// first touch are fitted in full beside a lumped one: to first order they are looked for where the
-/// law has the touch.
+/// Looks at what is left over: the residual map, what one more effect would bring by what is
+/// known around the fit, and what numbers would that the fit does not have. Where ν =
+/// `noise_freedom` numbers told the noise, all limits are those of noise that is known with as
+/// many.
+void look_closely(const Observations& seen, const EffectSensitivities& around,
+                  const SelectionRules& rules, double level, std::uint64_t seed,
+                  double noise_freedom, AssessedFit& fit);
+
+/// The same of a model that is believed, with the freedom of the noise before contact; a candidate
+/// is judged as if the noise were known, for a search that goes on too long costs time and no name.
+/// Effects that jump at first touch are fitted in full beside a lumped one: to first order they are
+/// looked for where the law has the touch.
 ///
 /// Limit:  a weak pull under noise with a colour is seen, and nothing more where nothing pulls
 ///         -> tests JumpAtTouchTest.AWeakPullIsSeenByAFit,

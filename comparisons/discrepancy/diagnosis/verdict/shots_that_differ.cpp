@@ -13,8 +13,9 @@ namespace {
 
 const EffectChoice* ageing_of(const HypothesisFit& fit, std::size_t known) {
   const auto begin = fit.effects.begin() + static_cast<std::ptrdiff_t>(known);
-  const auto found = std::find_if(begin, fit.effects.end(),
-                                  [](const EffectChoice& one) { return one.name == "ageing"; });
+  const auto found = std::find_if(begin, fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.follows_shot_order;
+  });
   return found == fit.effects.end() ? nullptr : &*found;
 }
 

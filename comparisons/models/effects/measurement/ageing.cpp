@@ -15,6 +15,7 @@ Effect ageing_effect() {
                .size_dimension = dimension::none,
                .range = from_to(-0.5, 0.5),
                .prior_scale = 0.01,
+               .follows_shot_order = true,
                .signature = "Peaks that rise, and contact times that fall, with the number of the "
                             "shot at one and the same speed.",
                .experiment = "The same speeds in another order; the first shot once more at the "

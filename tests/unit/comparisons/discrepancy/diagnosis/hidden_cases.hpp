@@ -30,6 +30,15 @@ inline SynthesisFile coarse_experiment(std::int64_t seed) {
   return file;
 }
 
+/// Three shots at each of the three speeds: what one shot alone does is not taken for its speed.
+inline SynthesisFile three_times_each_speed(std::vector<EffectChoice> effects, std::int64_t seed) {
+  SynthesisFile file = experiment_with(std::move(effects), seed);
+  const auto once = file.shots;
+  for (int repeat = 0; repeat < 2; ++repeat)
+    file.shots.insert(file.shots.end(), once.begin(), once.end());
+  return file;
+}
+
 /// What somebody believes: the same law, other numbers, no effect.
 inline LumpedModel believed_law() {
   LumpedModel model;

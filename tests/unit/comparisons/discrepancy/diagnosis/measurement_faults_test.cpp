@@ -11,6 +11,7 @@ namespace {
 
 using testing::diagnose_hidden;
 using testing::experiment_with;
+using testing::three_times_each_speed;
 
 constexpr int seeds = 5;
 
@@ -85,19 +86,11 @@ TEST(MeasurementFaultTest, TheShotIsNamed) {
       }
 }
 
-// Among repeats: with one shot a speed it is as well a stiffness that follows the speed.
-SynthesisFile three_times_each_speed(const EffectChoice& hidden, int seed) {
-  SynthesisFile file = experiment_with({hidden}, seed);
-  const auto once = file.shots;
-  for (int repeat = 0; repeat < 2; ++repeat)
-    file.shots.insert(file.shots.end(), once.begin(), once.end());
-  return file;
-}
-
+// With one shot a speed it is as well a stiffness that follows the speed.
 TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
   const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 4.0}, {"time_exponent", -1.0}}};
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Diagnosis d = diagnose_hidden(three_times_each_speed(hidden, seed));
+    const Diagnosis d = diagnose_hidden(three_times_each_speed({hidden}, seed));
     EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
     EXPECT_TRUE(names(d, hidden.name)) << d.fault;
   }
@@ -107,7 +100,7 @@ TEST(MeasurementFaultTest, AnOddShotAmongRepeatsIsRecognised) {
 TEST(MeasurementFaultTest, AnOddShotAtTheUnseenSpeedIsRecognised) {
   const EffectChoice hidden{"odd-shot", -0.1, {{"shot", 5.0}, {"time_exponent", -1.0}}};
   for (int seed = 1; seed <= seeds; ++seed) {
-    const Diagnosis d = diagnose_hidden(three_times_each_speed(hidden, seed));
+    const Diagnosis d = diagnose_hidden(three_times_each_speed({hidden}, seed));
     EXPECT_EQ(d.verdict, DiagnosisVerdict::measurement_fault);
     EXPECT_NE(d.fault.find("odd-shot (shot 5"), std::string::npos) << d.fault;
   }

@@ -31,7 +31,7 @@ Seen seen_of(double work) {
     const SelectionRules rules;
     AssessedFit believed = judge_by_chi_square(data, fit, rules);
     look_closely(data, EffectSensitivities(data, fit, effects), rules, rules.false_gap_level, 1,
-                 believed);
+                 known_noise, believed);
     if (!believed.adequate) ++seen.to_first_order;
     if (!judge_believed(data, fit, effects, rules, 1).adequate) ++seen.by_a_fit;
   }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
@@ -12,20 +11,10 @@
 namespace rebound {
 namespace {
 
-/// Three shots at each of three speeds.
-SynthesisFile repeated_experiment(std::vector<EffectChoice> effects, std::int64_t seed) {
-  SynthesisFile file = testing::experiment_with(std::move(effects), seed);
-  const auto once = file.shots;
-  for (int repeat = 0; repeat < 2; ++repeat)
-    file.shots.insert(file.shots.end(), once.begin(), once.end());
-  return file;
-}
-
 ScoreTest tested(const Dataset& dataset) {
   const Observations seen = observe({dataset});
   const HypothesisFit fit = fit_hypothesis(seen, {.believed = testing::believed_law()});
-  return test_varying_numbers(seen, fit, EffectSensitivities(seen, fit, {}),
-                              std::numeric_limits<double>::infinity());
+  return test_varying_numbers(seen, fit, EffectSensitivities(seen, fit, {}), known_noise);
 }
 
 // As of ForceScoreTest: a chance below one half comes up in nearly half of the cases, and three
@@ -33,7 +22,8 @@ ScoreTest tested(const Dataset& dataset) {
 TEST(VaryingNumbersTest, OfNoiseItsChanceIsUniform) {
   int below_half = 0, below_twentieth = 0;
   for (int seed = 400; seed < 440; ++seed) {
-    const ScoreTest test = tested(testing::measured_data(repeated_experiment({}, seed)));
+    const ScoreTest test =
+        tested(testing::measured_data(testing::three_times_each_speed({}, seed)));
     ASSERT_GT(test.freedom, 1);
     below_half += test.p_value < 0.5 ? 1 : 0;
     below_twentieth += test.p_value < 0.05 ? 1 : 0;
@@ -54,7 +44,7 @@ Dataset with_another_stiffness_at(double speed, double by, Dataset dataset) {
 }
 
 TEST(VaryingNumbersTest, SeesAStiffnessOfOneSpeed) {
-  const Dataset honest = testing::measured_data(repeated_experiment({}, 11));
+  const Dataset honest = testing::measured_data(testing::three_times_each_speed({}, 11));
   const Dataset stiffer = with_another_stiffness_at(15.0, 0.01, honest);
   const Observations seen = observe({stiffer});
   const AssessedFit fit = judge_believed(
