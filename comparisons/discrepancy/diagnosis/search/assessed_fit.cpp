@@ -51,9 +51,18 @@ bool leaves_little(const AssessedFit& baseline, const AssessedFit& candidate, do
 /// Of the map, how far above its threshold what is nearly adequate may be.
 constexpr double above_threshold = 1.2;
 
-/// A curve through a few points is judged by what it leaves of the residuals of the baseline.
+/// Loading and unloading, each by a curve of its own: fourteen numbers.
+bool has_many_numbers(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.after_single_effects;
+  });
+}
+
+/// A curve through a few points is judged by what it leaves of the residuals of the baseline. What
+/// has many numbers and leaves a tenth is not nearly right.
 void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
-  constexpr double share = 0.1, most_remaining = 0.3;  // of the residuals
+  constexpr double share = 0.1;  // of the residuals
+  const double most_remaining = has_many_numbers(curve.fit) ? share : 0.3;
   if (curve.p_value <= rules.smallest_adequate_p) return;
   const double z = largest_z(curve.map), left = share * largest_z(baseline.map);
   const bool beside_another = curve.fit.effects.size() > baseline.fit.effects.size() + 1;

@@ -14,6 +14,11 @@ namespace rebound {
 using EffectNames = std::set<std::string>;
 EffectNames names_of(const std::vector<EffectChoice>& effects);
 
+/// Would one of these be a mass that swings inside and the other a curve? Nothing of the mass shows
+/// when the ball has left, and in contact the curve bends to what it does, with another shape at
+/// every speed: such a pair has fitted anything.
+bool are_hidden_mass_and_curve(const EffectCard& one, const EffectCard& other);
+
 /// The search for effects that explain what a baseline does not, step by step; what it finds stands
 /// in an EffectSelection. Each step says whether it may end here: there is an adequate set among
 /// all so far, and beside a single effect none that is not adequate fits plainly better.
@@ -50,6 +55,11 @@ class EffectSearch {
   /// effect has another law than the formula leaves what no formula beside it takes.
   bool sets_of_a_formula_and_a_form();
 
+  /// Of the two best single free forms: each with those of other families beside it. Of two effects
+  /// both may have another law than the formula; where only one has, a formula takes the place of
+  /// the other's curve.
+  bool sets_of_two_forms();
+
   /// Of several balls: the best sets so far again, with sizes of its own for every ball.
   bool sizes_of_each_ball();
 
@@ -65,14 +75,16 @@ class EffectSearch {
     std::vector<EffectChoice> starts;
     double expected = 0.0;  ///< χ²
   };
-  /// A free form beside a formula, or the other way round: what is fitted already, and where the
-  /// search for the other one starts.
+  /// A free form beside a formula or another form, or the other way round: what is fitted already,
+  /// and where the search for the other one starts.
   struct FormBeside {
     const HypothesisFit* near = nullptr;
     std::vector<EffectChoice> starts;
   };
   /// Searches per effect; the best of a grid first.
   static constexpr std::size_t starts_per_effect = 2;
+  /// Single free forms that others are tried beside.
+  static constexpr std::size_t most_forms_extended = 2;
   /// Names with what they promise, best first.
   using Ranked = std::vector<std::pair<std::string, double>>;
 
@@ -82,9 +94,13 @@ class EffectSearch {
   const HypothesisFit* fitted_part_of(const EffectCard& card) const;
   const HypothesisFit* fit_of(const EffectNames& names) const;
   const HypothesisFit* best_pair_of_formulas() const;
+  bool found_pair(const std::vector<FormBeside>& all);
   void drop_curves_behind_a_leader();
   std::vector<FormBeside> forms_beside(const EffectChoice& formula,
                                        const EffectChoice& other) const;
+  std::vector<FormBeside> forms_beside_form(const HypothesisFit& fit) const;
+  std::vector<FormBeside> formulas_in_place_of_forms() const;
+  std::vector<FormBeside> formulas_beside(const EffectChoice& form, const std::string& other) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
   std::vector<HypothesisFit> with_own_sizes() const;

@@ -20,6 +20,10 @@ bool is_simple(const std::string& name) {
 /// or a hum beside an effect fits whatever the effect leaves.
 bool may_join(const std::string& name, const HypothesisFit& set) {
   const auto fault = [](const EffectChoice& one) { return is_measurement(one.name); };
+  const auto bends_with_it = [&](const EffectChoice& one) {
+    return are_hidden_mass_and_curve(find_effect(one.name).card, find_effect(name).card);
+  };
+  if (std::any_of(set.effects.begin(), set.effects.end(), bends_with_it)) return false;
   return !is_measurement(name) ||
          (is_simple(name) && std::none_of(set.effects.begin(), set.effects.end(), fault));
 }
@@ -41,6 +45,14 @@ bool has_own_sizes(const HypothesisFit& fit) {
 }
 
 }  // namespace
+
+bool are_hidden_mass_and_curve(const EffectCard& one, const EffectCard& other) {
+  const auto is_hidden_mass = [](const EffectCard& card) {
+    return card.oscillator && !card.oscillator->rings_on;
+  };
+  return (is_hidden_mass(one) && !other.curves.empty()) ||
+         (is_hidden_mass(other) && !one.curves.empty());
+}
 
 bool EffectSearch::sets_of(std::size_t count) {
   std::vector<std::string> forms;

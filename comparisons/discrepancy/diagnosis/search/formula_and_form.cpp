@@ -1,4 +1,4 @@
-// Sets of a formula and a free form: the third part of EffectSearch.
+// Pairs that hold a free form: the third part of EffectSearch.
 #include <algorithm>
 
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
@@ -7,12 +7,89 @@
 
 namespace rebound {
 
+namespace {
+
+/// With another beside it, a form of fourteen numbers bends to anything.
+bool is_free_form_of_few(const EffectChoice& effect) {
+  const EffectCard& card = find_effect(effect.name).card;
+  return card.is_free_form && !card.after_single_effects;
+}
+
+/// Is there a form that contains both?
+bool are_parts_of_one_form(const EffectChoice& one, const EffectChoice& other) {
+  return std::any_of(all_effects().begin(), all_effects().end(), [&](const Effect& effect) {
+    const auto from_part = effect.card.from_part;
+    return from_part && from_part(one) && from_part(other);
+  });
+}
+
+}  // namespace
+
 bool EffectSearch::sets_of_a_formula_and_a_form() {
   const HypothesisFit* pair = best_pair_of_formulas();
   if (!pair) return is_settled();
   const EffectChoice &last = pair->effects.back(), &first = pair->effects[base().effects.size()];
   std::vector<FormBeside> all = forms_beside(first, last);
   for (FormBeside& one : forms_beside(last, first)) all.push_back(std::move(one));
+  return found_pair(all);
+}
+
+bool EffectSearch::sets_of_two_forms() {
+  std::vector<FormBeside> all;
+  std::set<EffectNames> extended, known;
+  for (const AssessedFit& one : selection_.tried) {
+    const EffectNames own = names_of(one.fit.effects);
+    if (added(one.fit) != 1 || !is_free_form_of_few(one.fit.effects.back()) ||
+        !extended.insert(own).second)
+      continue;
+    for (FormBeside& form : forms_beside_form(one.fit)) {
+      EffectNames both = own;
+      both.insert(form.starts.front().name);
+      if (known.insert(both).second) all.push_back(std::move(form));
+    }
+    if (extended.size() == most_forms_extended) break;
+  }
+  return found_pair(all) && found_pair(formulas_in_place_of_forms());
+}
+
+/// Of the candidates that are two forms: the formulas of the one's family beside the other.
+std::vector<EffectSearch::FormBeside> EffectSearch::formulas_in_place_of_forms() const {
+  std::vector<FormBeside> all;
+  for (const std::size_t i : selection_.indistinguishable) {
+    const HypothesisFit& fit = selection_.tried[i].fit;
+    const EffectChoice &last = fit.effects.back(), &first = fit.effects[base().effects.size()];
+    const bool are_forms = added(fit) == 2 && find_effect(last.name).card.is_free_form &&
+                           find_effect(first.name).card.is_free_form;
+    if (!are_forms) continue;
+    for (FormBeside& one : formulas_beside(last, first.name)) all.push_back(std::move(one));
+    for (FormBeside& one : formulas_beside(first, last.name)) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// Of the family of another form, beside this one.
+std::vector<EffectSearch::FormBeside> EffectSearch::formulas_beside(
+    const EffectChoice& form, const std::string& other) const {
+  std::vector<FormBeside> all;
+  EffectNames alone = names_of(base().effects);
+  alone.insert(form.name);
+  const HypothesisFit* near = fit_of(alone);
+  if (!near) return all;
+  for (const std::string& name : effects_) {
+    EffectNames both = alone;
+    both.insert(name);
+    const EffectCard& formula = find_effect(name).card;
+    if (formula.family != find_effect(other).card.family || is_tried(both) ||
+        are_hidden_mass_and_curve(find_effect(form.name).card, formula))
+      continue;
+    std::vector<EffectChoice> starts = around_.starts(name, starts_per_effect);
+    if (!starts.empty()) all.push_back({near, std::move(starts)});
+  }
+  return all;
+}
+
+/// Where nothing is adequate, a pair that is nearly so and leads plainly is the candidate.
+bool EffectSearch::found_pair(const std::vector<FormBeside>& all) {
   Fits fits = fit_all(all.size(), [&](std::size_t i) {
     return fit_extended(seen_, *all[i].near, all[i].starts, SearchEffort::first_look, within());
   });
@@ -70,11 +147,31 @@ std::vector<EffectSearch::FormBeside> EffectSearch::forms_beside(const EffectCho
       freed.insert(name);
       if (const HypothesisFit* fit = fit_of(freed)) all.push_back({fit, {other}});
     }
-    if (!card.contains.empty() || !alone || card.family == find_effect(formula.name).card.family)
+    if (!card.contains.empty() || !alone || card.family == find_effect(formula.name).card.family ||
+        are_hidden_mass_and_curve(find_effect(formula.name).card, card))
       continue;
     EffectNames both = known;
     both.insert(name);
     if (!is_tried(both)) all.push_back({alone, starts_of_free_form(card, seen_, *alone)});
+  }
+  return all;
+}
+
+/// Those of other families; not the two whose sum is a form of its own, as loading and unloading.
+std::vector<EffectSearch::FormBeside> EffectSearch::forms_beside_form(
+    const HypothesisFit& fit) const {
+  std::vector<FormBeside> all;
+  const EffectChoice& own = fit.effects.back();
+  for (const std::string& name : free_forms(fit.effects, false)) {
+    const EffectCard& card = find_effect(name).card;
+    EffectNames alone = names_of(base().effects), both = names_of(fit.effects);
+    alone.insert(name);
+    both.insert(name);
+    const HypothesisFit* single = fit_of(alone);
+    if (card.family == find_effect(own.name).card.family || !card.contains.empty() ||
+        (single && are_parts_of_one_form(own, single->effects.back())) || is_tried(both))
+      continue;
+    all.push_back({&fit, starts_of_free_form(card, seen_, fit)});
   }
   return all;
 }

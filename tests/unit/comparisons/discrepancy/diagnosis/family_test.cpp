@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/observations/repeated_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/search/effect_search.hpp"
 #include "lumped/integration/simulate.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
@@ -105,6 +106,39 @@ TEST(FamilyTest, APullBesideAPlateIsSaidWithThePlate) {
     both += d.candidates == names;
   }
   EXPECT_GE(both, 2);
+}
+
+/// Two effects, neither of which obeys a formula of the list.
+TEST(FamilyTest, APullBesideABulgeIsSaidWithTheBulge) {
+  const EffectNames names{"elastic-curve", "pull-curves"};
+  int both = 0;
+  for (const int seed : {51, 52, 53}) {
+    const Diagnosis d = diagnose_hidden(experiment_with({bulge(), sticky_surface()}, seed));
+    EXPECT_NE(d.verdict, DiagnosisVerdict::missing);
+    both += std::any_of(d.candidates.begin(), d.candidates.end(), [&](const auto& one) {
+      return EffectNames(one.begin(), one.end()) == names;
+    });
+  }
+  EXPECT_GE(both, 2);
+}
+
+/// A curve beside a mass inside follows anything: the pair is no answer, not even where it is true.
+TEST(FamilyTest, AMassInsideBesideACurveIsNoAnswer) {
+  const auto bends = [](const std::string& one, const std::string& other) {
+    return are_hidden_mass_and_curve(find_effect(one).card, find_effect(other).card);
+  };
+  EXPECT_TRUE(bends("internal-mode", "unloading-curve"));
+  EXPECT_TRUE(bends("elastic-curve", "internal-mode"));
+  EXPECT_FALSE(bends("internal-mode", "relaxation-spectrum"));
+  EXPECT_FALSE(bends("plate-compliance", "unloading-curve"));
+  const EffectChoice mass{"internal-mode", 0.1, {{"frequency", 3000.0}, {"damping_ratio", 0.05}}};
+  for (const int seed : {61, 62}) {
+    const Diagnosis d = diagnose_hidden(experiment_with({bulge(), mass}, seed));
+    for (const auto& names : d.candidates) {
+      const EffectNames set(names.begin(), names.end());
+      EXPECT_FALSE(set.contains("internal-mode") && set.contains("elastic-curve")) << seed;
+    }
+  }
 }
 
 // What a diagnosis looks for is measured in the ball and its contact, not in kilograms.
