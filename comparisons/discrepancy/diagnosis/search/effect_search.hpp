@@ -56,8 +56,7 @@ class EffectSearch {
   bool sets_of_a_formula_and_a_form();
 
   /// Of the two best single free forms: each with those of other families beside it. Of two effects
-  /// both may have another law than the formula; where only one has, a formula takes the place of
-  /// the other's curve.
+  /// both may have another law than the formula.
   bool sets_of_two_forms();
 
   /// Of several balls: the best sets so far again, with sizes of its own for every ball.
@@ -99,8 +98,6 @@ class EffectSearch {
   std::vector<FormBeside> forms_beside(const EffectChoice& formula,
                                        const EffectChoice& other) const;
   std::vector<FormBeside> forms_beside_form(const HypothesisFit& fit) const;
-  std::vector<FormBeside> formulas_in_place_of_forms() const;
-  std::vector<FormBeside> formulas_beside(const EffectChoice& form, const std::string& other) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
   std::vector<HypothesisFit> with_own_sizes() const;

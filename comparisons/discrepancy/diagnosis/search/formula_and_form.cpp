@@ -49,43 +49,7 @@ bool EffectSearch::sets_of_two_forms() {
     }
     if (extended.size() == most_forms_extended) break;
   }
-  return found_pair(all) && found_pair(formulas_in_place_of_forms());
-}
-
-/// Of the candidates that are two forms: the formulas of the one's family beside the other.
-std::vector<EffectSearch::FormBeside> EffectSearch::formulas_in_place_of_forms() const {
-  std::vector<FormBeside> all;
-  for (const std::size_t i : selection_.indistinguishable) {
-    const HypothesisFit& fit = selection_.tried[i].fit;
-    const EffectChoice &last = fit.effects.back(), &first = fit.effects[base().effects.size()];
-    const bool are_forms = added(fit) == 2 && find_effect(last.name).card.is_free_form &&
-                           find_effect(first.name).card.is_free_form;
-    if (!are_forms) continue;
-    for (FormBeside& one : formulas_beside(last, first.name)) all.push_back(std::move(one));
-    for (FormBeside& one : formulas_beside(first, last.name)) all.push_back(std::move(one));
-  }
-  return all;
-}
-
-/// Of the family of another form, beside this one.
-std::vector<EffectSearch::FormBeside> EffectSearch::formulas_beside(
-    const EffectChoice& form, const std::string& other) const {
-  std::vector<FormBeside> all;
-  EffectNames alone = names_of(base().effects);
-  alone.insert(form.name);
-  const HypothesisFit* near = fit_of(alone);
-  if (!near) return all;
-  for (const std::string& name : effects_) {
-    EffectNames both = alone;
-    both.insert(name);
-    const EffectCard& formula = find_effect(name).card;
-    if (formula.family != find_effect(other).card.family || is_tried(both) ||
-        are_hidden_mass_and_curve(find_effect(form.name).card, formula))
-      continue;
-    std::vector<EffectChoice> starts = around_.starts(name, starts_per_effect);
-    if (!starts.empty()) all.push_back({near, std::move(starts)});
-  }
-  return all;
+  return found_pair(all);
 }
 
 /// Where nothing is adequate, a pair that is nearly so and leads plainly is the candidate.
