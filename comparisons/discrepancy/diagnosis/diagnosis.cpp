@@ -12,6 +12,7 @@
 #include "comparisons/discrepancy/diagnosis/asked_fem/weak_effects_in_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/fem_search.hpp"
 #include "comparisons/discrepancy/diagnosis/believed_fem/settled_fem.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/force_before_touch.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/held_out_speed.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/slow_comparisons.hpp"
@@ -146,6 +147,8 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   d.warnings = all.warnings;
   d.design = measured_design(request.datasets, all);
   d.checks = check_data(all);
+  for (const Dataset& dataset : request.datasets)
+    if (const auto check = force_before_touch(dataset)) d.checks.push_back(*check);
   d.contradictions = contradictions_among(d.checks);
   const auto held_out =
       request.hold_out ? choose_held_out(all, request.held_out_speed) : std::nullopt;
@@ -191,6 +194,7 @@ Diagnosis diagnose(const DiagnosisRequest& request, const RunControl& control) {
   suspect_a_coarse_recorder(d, request.rules);
   suspect_an_offset(d);
   withhold_what_shots_alone_explain(d, all);
+  withhold_what_acts_before_touch(d);
   find_nearest_formulas(d);
   show_missing_force(d);
   return d;

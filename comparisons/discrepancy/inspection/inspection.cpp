@@ -8,6 +8,7 @@
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/data_checks/checked_shots.hpp"
+#include "comparisons/discrepancy/diagnosis/data_checks/force_before_touch.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/quantisation.hpp"
 #include "comparisons/discrepancy/diagnosis/observations/zero_offset.hpp"
@@ -191,6 +192,7 @@ Inspection inspect(const Dataset& dataset) {
   add_noise(seen, quiet, found);
   add_repeats(found);
   found.checks = check_data(seen);
+  if (const auto check = force_before_touch(dataset)) found.checks.push_back(*check);
   add_restitution_checks(seen, found);
   found.contradictions = contradictions_among(found.checks);
   found.contradiction_limit = contradiction_limit(found.checks.size());

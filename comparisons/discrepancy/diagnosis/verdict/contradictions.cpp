@@ -3,11 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
+#include "comparisons/discrepancy/diagnosis/data_checks/force_before_touch.hpp"
 #include "comparisons/discrepancy/diagnosis/verdict/withheld_name.hpp"
 
 namespace rebound {
+namespace {
+
+/// Faults that are there whether or not there is a contact.
+bool shows_before_touch(const std::string& name) {
+  constexpr std::array<std::string_view, 5> faults{"force-drift", "hum", "burst", "force-baseline",
+                                                   "quantisation"};
+  return std::find(faults.begin(), faults.end(), name) != faults.end();
+}
+
+}  // namespace
 
 std::vector<DataCheck> unexplained_contradictions(const Diagnosis& d, const HypothesisFit& fit,
                                                   const Observations& all) {
@@ -47,6 +60,21 @@ void withhold_names_from_contradictions(Diagnosis& d, const Observations& all) {
                        "deviations, and {} does not say why",
                        left.front().what, left.front().of, std::abs(left.front().deviations()),
                        label_of(d.best().effects)));
+}
+
+void withhold_what_acts_before_touch(Diagnosis& d) {
+  const auto found = std::find_if(d.contradictions.begin(), d.contradictions.end(),
+                                  [](const DataCheck& one) { return one.what == before_touch; });
+  const bool is_said = std::any_of(d.candidates.begin(), d.candidates.end(), [](const auto& names) {
+    return std::any_of(names.begin(), names.end(), shows_before_touch);
+  });
+  if (found == d.contradictions.end() || is_said || !d.needed.empty()) return;
+  withhold(d, DiagnosisVerdict::unexplained,
+           fmt::format("the force changes by {:+.3g} N before the first touch, by {:.1f} standard "
+                       "deviations: something acts at a distance or on the sensor, which no effect "
+                       "of the list does",
+                       found->measured, std::abs(found->deviations())));
+  d.excluded.clear();
 }
 
 }  // namespace rebound

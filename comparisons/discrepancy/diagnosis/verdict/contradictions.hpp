@@ -22,4 +22,8 @@ std::vector<DataCheck> unexplained_contradictions(const Diagnosis& diagnosis,
 /// say why.
 void withhold_names_from_contradictions(Diagnosis& diagnosis, const Observations& all);
 
+/// Where the force changes before the first touch, neither the believed model nor an effect of the
+/// contact is all there is: unexplained, unless a fault is said that acts before the touch, too.
+void withhold_what_acts_before_touch(Diagnosis& diagnosis);
+
 }  // namespace rebound
