@@ -13,10 +13,9 @@
 namespace rebound {
 namespace {
 
-/// Faults that are there whether or not there is a contact.
+/// Faults that change the force whether or not there is a contact.
 bool shows_before_touch(const std::string& name) {
-  constexpr std::array<std::string_view, 5> faults{"force-drift", "hum", "burst", "force-baseline",
-                                                   "quantisation"};
+  constexpr std::array<std::string_view, 4> faults{"force-drift", "hum", "burst", "quantisation"};
   return std::find(faults.begin(), faults.end(), name) != faults.end();
 }
 

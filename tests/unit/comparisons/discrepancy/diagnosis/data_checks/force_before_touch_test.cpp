@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/io/dataset/contact_window.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
 namespace rebound {
@@ -17,18 +18,17 @@ Dataset measured(std::int64_t seed) {
   return testing::measured_data(file);
 }
 
-/// A pull on the plate that falls off over ten millimetres of gap; nothing else is changed.
+/// A pull on the plate that falls off over ten millimetres of gap; the contact is as without.
 Dataset with_pull_at_a_distance(double pull, Dataset dataset) {
   constexpr double range = 10e-3;
   for (MeasuredImpact& shot : dataset.shots) {
-    const double peak = *std::max_element(shot.trace.force.begin(), shot.trace.force.end());
-    const auto touch =
-        static_cast<std::size_t>(std::find_if(shot.trace.force.begin(), shot.trace.force.end(),
-                                              [&](double force) { return force > 0.05 * peak; }) -
-                                 shot.trace.force.begin());
-    for (std::size_t i = 0; i < touch; ++i) {
-      const double gap = shot.impact.speed * (shot.trace.time[touch] - shot.trace.time[i]);
-      shot.trace.force[i] -= pull * std::exp(-gap / range);
+    const std::vector<double> time = shot.trace.time, force = shot.trace.force;
+    const double touched = 0.05 * *std::max_element(force.begin(), force.end());
+    const SampleRange contact = contact_window(force, touched);
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double before = std::max(0.0, time[contact.first] - time[i]);
+      const double after = std::max(0.0, time[i] - time[contact.last]);
+      shot.trace.force[i] -= pull * std::exp(-shot.impact.speed * (before + 0.7 * after) / range);
     }
   }
   return dataset;
