@@ -45,9 +45,11 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   constexpr double hopeless = 1e3;
   if (selection.tried.empty() || selection.tried.front().fit.reduced_chi_square() > hopeless)
     return;
-  if (!explained_by_formulas(search, selection, rules, ends) &&
-      !search.sets_of_a_formula_and_a_form())
-    search.sets_of_two_forms();
+  if (explained_by_formulas(search, selection, rules, ends) ||
+      search.sets_of_a_formula_and_a_form())
+    return;
+  // What FE leaves on a coarse mesh is settled by its own corrections, and not by a curve more.
+  if (!selection.baseline.fit.model->fem()) search.sets_of_two_forms();
 }
 
 /// By how much the criterion of `one` is better; what the unseen speed says counts where both were
