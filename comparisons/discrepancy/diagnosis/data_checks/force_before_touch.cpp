@@ -8,7 +8,7 @@
 #include <span>
 
 #include "comparisons/discrepancy/diagnosis/observations/zero_offset.hpp"
-#include "comparisons/inference/calibration/distributions.hpp"
+#include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/io/dataset/contact_window.hpp"
 
 namespace rebound {
@@ -26,9 +26,9 @@ std::vector<double> blocks_before_touch(const MeasuredImpact& shot) {
   const double level = level_of(force);
   for (double& one : force) one -= level;
   const double peak = *std::max_element(force.begin(), force.end());
-  if (!(peak > 0.0)) return {};
-  const SampleRange contact =
-      contact_window(force, std::max(contact_threshold(shot), touch * peak));
+  const double threshold = std::max(contact_threshold(shot), touch * peak);
+  if (!(peak > threshold)) return {};
+  const SampleRange contact = contact_window(force, threshold);
   const std::size_t block = std::max(fewest, contact.count() / 10), left = contact.count() / 7;
   if (contact.first < left) return {};
   const std::size_t count = (contact.first - left) / block;
@@ -73,9 +73,7 @@ std::optional<DataCheck> force_before_touch(const Dataset& dataset) {
   }
   if (last.freedom < fewest_freedom || !(last.squares > 0.0)) return std::nullopt;
   const double square = std::pow(last.change, 2) * last.freedom / (last.squares * last.variance);
-  // A chance that no double holds is that of nine deviations.
-  const double chance = std::max(fisher_chance_above(1.0, last.freedom, square), 1e-18);
-  const double deviations = std::max(1e-6, -normal_quantile(0.5 * chance));
+  const double deviations = std::max(1e-6, std::sqrt(square_of_known_noise(square, last.freedom)));
   const double change = last.change / last.shots;
   return DataCheck{.what = before_touch,
                    .of = fmt::format("{} shots of {}", last.shots, dataset.name),

@@ -97,7 +97,8 @@ class EffectSearch {
   void drop_curves_behind_a_leader();
   std::vector<FormBeside> forms_beside(const EffectChoice& formula,
                                        const EffectChoice& other) const;
-  std::vector<FormBeside> forms_beside_form(const HypothesisFit& fit) const;
+  std::vector<FormBeside> of_other_families(const HypothesisFit& fit,
+                                            const std::vector<std::string>& forms) const;
   HypothesisFit look_at_whole(const EffectCard& card, const std::vector<AssessedFit>& before) const;
   std::vector<Hypothesis> without_one(std::size_t count) const;
   std::vector<HypothesisFit> with_own_sizes() const;

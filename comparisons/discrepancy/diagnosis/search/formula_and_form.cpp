@@ -6,7 +6,6 @@
 #include "comparisons/discrepancy/diagnosis/search/free_forms.hpp"
 
 namespace rebound {
-
 namespace {
 
 /// With another beside it, a form of fourteen numbers bends to anything.
@@ -42,7 +41,7 @@ bool EffectSearch::sets_of_two_forms() {
     if (added(one.fit) != 1 || !is_free_form_of_few(one.fit.effects.back()) ||
         !extended.insert(own).second)
       continue;
-    for (FormBeside& form : forms_beside_form(one.fit)) {
+    for (FormBeside& form : of_other_families(one.fit, free_forms(base().effects, false))) {
       EffectNames both = own;
       both.insert(form.starts.front().name);
       if (known.insert(both).second) all.push_back(std::move(form));
@@ -101,38 +100,34 @@ std::vector<EffectSearch::FormBeside> EffectSearch::forms_beside(const EffectCho
   std::vector<FormBeside> all;
   EffectNames known = names_of(base().effects);
   known.insert(formula.name);
-  const HypothesisFit* alone = fit_of(known);
   std::vector<std::string> forms = free_forms(base().effects, false);
   for (std::string& name : free_forms(base().effects, true)) forms.push_back(std::move(name));
   for (const std::string& name : forms) {
-    const EffectCard& card = find_effect(name).card;
-    if (card.contains == formula.name) {
-      EffectNames freed = names_of(base().effects);
-      freed.insert(name);
-      if (const HypothesisFit* fit = fit_of(freed)) all.push_back({fit, {other}});
-    }
-    if (!card.contains.empty() || !alone || card.family == find_effect(formula.name).card.family ||
-        are_hidden_mass_and_curve(find_effect(formula.name).card, card))
-      continue;
-    EffectNames both = known;
-    both.insert(name);
-    if (!is_tried(both)) all.push_back({alone, starts_of_free_form(card, seen_, *alone)});
+    if (find_effect(name).card.contains != formula.name) continue;
+    EffectNames freed = names_of(base().effects);
+    freed.insert(name);
+    if (const HypothesisFit* fit = fit_of(freed)) all.push_back({fit, {other}});
   }
+  if (const HypothesisFit* alone = fit_of(known))
+    for (FormBeside& one : of_other_families(*alone, forms)) all.push_back(std::move(one));
   return all;
 }
 
-/// Those of other families; not the two whose sum is a form of its own, as loading and unloading.
-std::vector<EffectSearch::FormBeside> EffectSearch::forms_beside_form(
-    const HypothesisFit& fit) const {
+/// Those of `forms` that may stand beside the one effect of a fit; not the two whose sum is a form
+/// of its own, as loading and unloading.
+std::vector<EffectSearch::FormBeside> EffectSearch::of_other_families(
+    const HypothesisFit& fit, const std::vector<std::string>& forms) const {
   std::vector<FormBeside> all;
   const EffectChoice& own = fit.effects.back();
-  for (const std::string& name : free_forms(fit.effects, false)) {
+  const EffectCard& card_of_own = find_effect(own.name).card;
+  for (const std::string& name : forms) {
     const EffectCard& card = find_effect(name).card;
     EffectNames alone = names_of(base().effects), both = names_of(fit.effects);
     alone.insert(name);
     both.insert(name);
     const HypothesisFit* single = fit_of(alone);
-    if (card.family == find_effect(own.name).card.family || !card.contains.empty() ||
+    if (card.family == card_of_own.family || !card.contains.empty() ||
+        are_hidden_mass_and_curve(card_of_own, card) ||
         (single && are_parts_of_one_form(own, single->effects.back())) || is_tried(both))
       continue;
     all.push_back({&fit, starts_of_free_form(card, seen_, fit)});

@@ -67,7 +67,7 @@ void withhold_what_acts_before_touch(Diagnosis& d) {
   const bool is_said = std::any_of(d.candidates.begin(), d.candidates.end(), [](const auto& names) {
     return std::any_of(names.begin(), names.end(), shows_before_touch);
   });
-  if (found == d.contradictions.end() || is_said || !d.needed.empty()) return;
+  if (found == d.contradictions.end() || is_said) return;
   withhold(d, DiagnosisVerdict::unexplained,
            fmt::format("the force changes by {:+.3g} N before the first touch, by {:.1f} standard "
                        "deviations: something acts at a distance or on the sensor, which no effect "

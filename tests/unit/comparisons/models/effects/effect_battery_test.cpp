@@ -119,7 +119,7 @@ TEST_P(EffectBattery, ASmallSizeShows) {
   }
   if (effect_.to_measurement) {
     // A ball that changes from shot to shot is in the first as it was.
-    const MeasurementChain of_shot{.shot = effect_.card.name == "ageing" ? 2 : 1};
+    const MeasurementChain of_shot{.shot = effect_.card.follows_shot_order ? 2 : 1};
     MeasurementChain chain = of_shot;
     apply_effects({test::at_prior_scale(effect_)}, chain);
     EXPECT_NE(chain, of_shot);

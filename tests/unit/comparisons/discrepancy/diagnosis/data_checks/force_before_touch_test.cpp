@@ -58,13 +58,19 @@ TEST(ForceBeforeTouchTest, SeesAPullAtADistance) {
 TEST(ForceBeforeTouchTest, ARecordThatBeginsAtTheTouchHasNone) {
   Dataset dataset = measured(1);
   for (MeasuredImpact& shot : dataset.shots) {
-    const auto peak = std::max_element(shot.trace.force.begin(), shot.trace.force.end());
-    const auto first = std::find_if(shot.trace.force.begin(), peak,
-                                    [&](double force) { return force > 0.05 * *peak; }) -
-                       shot.trace.force.begin();
+    const double peak = *std::max_element(shot.trace.force.begin(), shot.trace.force.end());
+    const auto first =
+        static_cast<std::ptrdiff_t>(contact_window(shot.trace.force, 0.05 * peak).first);
     shot.trace.force.erase(shot.trace.force.begin(), shot.trace.force.begin() + first);
     shot.trace.time.erase(shot.trace.time.begin(), shot.trace.time.begin() + first);
   }
+  EXPECT_FALSE(force_before_touch(dataset));
+}
+
+// What such a record lacks the diagnosis says; the check is no place to end.
+TEST(ForceBeforeTouchTest, ARecordThatNeverReachesItsThresholdHasNone) {
+  Dataset dataset = measured(1);
+  for (MeasuredImpact& shot : dataset.shots) shot.contact_threshold = 1e9;
   EXPECT_FALSE(force_before_touch(dataset));
 }
 
