@@ -9,6 +9,7 @@
 #include "comparisons/inference/calibration/effective_residuals.hpp"
 #include "comparisons/inference/calibration/evaluation_cache.hpp"
 #include "comparisons/inference/calibration/identifiability.hpp"
+#include "comparisons/inference/calibration/parted_search.hpp"
 #include "comparisons/inference/calibration/profile.hpp"
 #include "comparisons/inference/calibration/search.hpp"
 #include "lumped/problem/error.hpp"
@@ -64,16 +65,16 @@ std::vector<double> start_of(const CalibrationProblem& problem) {
   return start;
 }
 
-/// Best of the searches from the given start and from seeded ones.
-Attempt best_attempt(const CalibrationProblem& problem, CalibrationCost& cost,
-                     const RunControl& control) {
+/// Best of the searches from the given start and from seeded ones; `search` is one from a start.
+template <class Search>
+Attempt best_attempt(const CalibrationProblem& problem, const Search& search) {
   std::mt19937_64 generator(problem.controls.seed);
   Attempt best;
   for (int k = 0; k < std::max(1, problem.controls.starts); ++k) {
     std::vector<double> y;
     for (const auto& p : problem.parameters)
       y.push_back((k == 0 ? p.start : drawn_start(p, generator)) / p.scale);
-    const Attempt attempt = search_from(std::move(y), problem, cost, control);
+    const Attempt attempt = search(std::move(y));
     if (attempt.interrupted)
       throw Error(ExitCode::interrupted, "the calibration was interrupted before it ended");
     // A drawn start where the model has no answer ends at once, unconverged.
@@ -87,13 +88,26 @@ CalibrationResult fit(const CalibrationProblem& problem, const std::vector<doubl
                       const RunControl& control) {
   CalibrationResult result;
   result.cost_before = half_square(first);
+  const auto fill = [&](const Attempt& best, const Optimum& optimum, int evaluations) {
+    result.cost_after = best.cost;
+    result.converged = best.converged;
+    assess(problem, optimum, result);
+    result.evaluations = evaluations;
+    return result;
+  };
+  if (falls_into_parts(problem)) {
+    PartedSearch search(problem);
+    const Attempt best = best_attempt(
+        problem, [&](const std::vector<double>& y) { return search.from(y, control); });
+    const Optimum optimum = search.surroundings(best.y);
+    return fill(best, optimum, search.evaluations() + 1);
+  }
   CalibrationCost cost(problem, static_cast<int>(first.size()));
-  const Attempt best = best_attempt(problem, cost, control);
-  result.cost_after = best.cost;
-  result.converged = best.converged;
-  assess(problem, surroundings(best, cost), result);
-  result.evaluations = cost.evaluations() + 1;
-  return result;
+  const Attempt best = best_attempt(problem, [&](std::vector<double> y) {
+    return search_from(std::move(y), problem, cost, control);
+  });
+  const Optimum optimum = surroundings(best, cost);
+  return fill(best, optimum, cost.evaluations() + 1);
 }
 
 /// The problem started from a fit's estimates.

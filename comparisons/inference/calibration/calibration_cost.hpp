@@ -5,7 +5,7 @@
 #include <exception>
 #include <vector>
 
-#include "comparisons/inference/calibration/calibration_problem.hpp"
+#include "comparisons/inference/calibration/model_answers.hpp"
 
 namespace rebound {
 
@@ -34,19 +34,17 @@ class CalibrationCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
-  /// Did the model have an answer on one side only, the last time the
-  /// derivative by this parameter was taken?
-  bool at_edge(std::size_t parameter) const { return edge_[parameter]; }
+  bool at_edge(std::size_t parameter) const { return answers_.at_edge(parameter); }
   /// Takes one difference a parameter at y, to see where the model has no answer: needed
   /// where the Jacobian was the model's own and the search met points without answer.
   void look_for_edges(const std::vector<double>& y) const;
-  bool met_no_answer() const { return met_no_answer_; }
+  bool met_no_answer() const { return answers_.met_no_answer(); }
 
-  int evaluations() const { return evaluations_; }
-  /// An error other than "no answer here", to be thrown once Ceres has returned.
-  std::exception_ptr failure() const { return failure_; }
+  int evaluations() const { return answers_.count(); }
+  std::exception_ptr failure() const { return answers_.failure(); }
 
  private:
+  std::size_t rows() const { return static_cast<std::size_t>(num_residuals()); }
   /// Residuals at y; false where the model has no answer.
   bool residuals_at(const std::vector<double>& y, std::vector<double>& residuals) const;
   /// Both at y, kept; false where the model has no answer.
@@ -55,20 +53,14 @@ class CalibrationCost final : public ceres::CostFunction {
   bool look_at(const std::vector<double>& y) const;
   /// Adds differences to what is kept.
   bool take_differences() const;
-  /// Calls the model; false where it has no answer. Other errors are kept for later.
-  template <class Model>
-  bool answered(const std::vector<double>& y, const Model& model) const;
   bool difference(std::vector<double>& y, std::size_t j, const std::vector<double>& centre,
                   std::vector<double>& slope) const;
 
   const CalibrationProblem& problem_;
-  mutable int evaluations_ = 0;
-  mutable std::vector<bool> edge_;
+  mutable ModelAnswers answers_;
   /// Ceres asks for the Jacobian where it has just had the residuals, and goes on from the last
   /// point that had one where a step is refused.
   mutable LinearModel last_, last_with_slopes_;
-  mutable bool met_no_answer_ = false;
-  mutable std::exception_ptr failure_;
 };
 
 }  // namespace rebound

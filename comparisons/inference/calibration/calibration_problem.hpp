@@ -43,6 +43,20 @@ struct ResidualsWithJacobian {
 };
 using JacobianFunction = std::function<ResidualsWithJacobian(const std::vector<double>&)>;
 
+/// Residuals that fall into parts, as those of the shots of an experiment: a part has unknowns that
+/// move no row of another, such as the start of its record. Derivatives by them are then taken of
+/// the part alone, and a step is solved part by part. The rows of all parts, one after the other,
+/// are those of CalibrationProblem::residuals.
+struct ResidualParts {
+  struct Part {
+    std::size_t rows = 0;
+    std::vector<std::size_t> own;  ///< its unknowns; those of no part are shared by all
+  };
+  std::vector<Part> parts;
+  /// Rows of one part at a parameter vector. It may throw as ResidualFunction does.
+  std::function<std::vector<double>(const std::vector<double>& x, std::size_t part)> residuals;
+};
+
 /// What σ in the residuals means.
 enum class NoiseKnowledge {
   known,      ///< σ are the data's standard deviations: intervals follow from them
@@ -106,6 +120,9 @@ struct CalibrationProblem {
   ResidualFunction residuals;
   /// Where the model knows its derivatives; empty: they are differences.
   JacobianFunction with_jacobian{};
+  /// Where the residuals fall into parts, for a search without robust loss, profiles and
+  /// checkpoint; empty: every unknown moves every row.
+  std::optional<ResidualParts> parts{};
   NoiseKnowledge noise = NoiseKnowledge::estimated;
   CalibrationControls controls;
 };

@@ -13,6 +13,7 @@ HeldParameter::HeldParameter(const CalibrationProblem& problem, std::size_t held
     : whole_(problem), held_(held), start_(std::move(start)) {
   start_.erase(start_.begin() + static_cast<std::ptrdiff_t>(held));
   inner_ = problem;
+  inner_.parts.reset();  // their unknowns are those of the whole
   inner_.parameters.erase(inner_.parameters.begin() + static_cast<std::ptrdiff_t>(held));
   inner_.residuals = [this](const std::vector<double>& x) { return whole_.residuals(with(x)); };
   if (!whole_.with_jacobian) return;

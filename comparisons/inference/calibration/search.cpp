@@ -3,45 +3,16 @@
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
-#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <exception>
 
+#include "comparisons/inference/calibration/ceres_search.hpp"
+
 namespace rebound {
 
 namespace {
-
-/// Ceres logs to standard error; its summary says it all. Once: searches run side by side.
-void keep_ceres_quiet() {
-  [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
-}
-
-/// Stops Ceres when the user asks or the fit is exact, and tells how far it is.
-class ProgressCallback final : public ceres::IterationCallback {
- public:
-  ProgressCallback(const RunControl& control, const CalibrationControls& controls)
-      : control_(control),
-        iterations_(controls.iterations),
-        exact_(controls.cost_tolerance * controls.cost_tolerance) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (summary.iteration > 0) ++taken_;
-    if (control_.progress) control_.progress(static_cast<double>(taken_) / iterations_);
-    if (control_.interrupted && control_.interrupted()) return ceres::SOLVER_ABORT;
-    if (taken_ == 0) first_cost_ = summary.cost;
-    // Where residuals vanish, the share by which the cost changes never gets small.
-    if (summary.cost < exact_ * first_cost_) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    return ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const RunControl& control_;
-  int iterations_;
-  double exact_;  ///< cost over the first one
-  double first_cost_ = 0.0;
-  int taken_ = 0;  ///< iterations, of all parts of a search
-};
 
 enum class Bound { neither, lower, upper };
 
@@ -169,31 +140,14 @@ ceres::Solver::Summary search_with_few_runs(ceres::Problem& search, ceres::Solve
 
 Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, CalibrationCost& cost,
                     const RunControl& control) {
-  keep_ceres_quiet();
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ownership.disable_all_safety_checks = true;  // the cost refuses what is not finite itself
-  ceres::Problem search(ownership);
+  ceres::Problem search(search_ownership());
   search.AddResidualBlock(&cost, nullptr, y.data());
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const auto& p = problem.parameters[i];
-    search.SetParameterLowerBound(y.data(), static_cast<int>(i), p.lowest / p.scale);
-    search.SetParameterUpperBound(y.data(), static_cast<int>(i), p.highest / p.scale);
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = problem.controls.iterations;
-  options.function_tolerance = problem.controls.cost_tolerance;
-  options.parameter_tolerance = 1e-10;
-  options.num_threads = 1;
+  for (std::size_t i = 0; i < y.size(); ++i) bound(search, y.data(), i, problem.parameters[i]);
+  ceres::Solver::Options options = search_options(problem.controls);
   if (problem.controls.runs_are_dear) {
     options.initial_trust_region_radius = 1.0;
     options.max_num_line_search_step_size_iterations = 1;
   }
-  // Bounds make Ceres search along each step; with cubic interpolation it would ask for a whole
-  // Jacobian at every point of that line.
-  options.line_search_interpolation_type = ceres::QUADRATIC;
   ProgressCallback callback(control, problem.controls);
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
@@ -202,10 +156,7 @@ Attempt search_from(std::vector<double> y, const CalibrationProblem& problem, Ca
   else
     ceres::Solve(options, &search, &summary);
   if (cost.failure()) std::rethrow_exception(cost.failure());
-  const bool converged = summary.termination_type == ceres::CONVERGENCE ||
-                         summary.termination_type == ceres::USER_SUCCESS;
-  return {std::move(y), summary.final_cost, converged,
-          summary.termination_type == ceres::USER_FAILURE};
+  return attempt_of(summary, std::move(y));
 }
 
 double half_square(const std::vector<double>& residuals) {

@@ -28,6 +28,7 @@ class CommonError {
   CommonError(const Observations& seen, const std::vector<std::size_t>& force_rows,
               std::size_t rows);
 
+  bool is_none() const { return balls_.empty(); }
   void take_out(std::span<double> residuals) const;
 
  private:

@@ -187,6 +187,10 @@ class JointModel {
   void add_rows();
   void add_slow_factors();
   std::vector<double> slow_block_at(const std::vector<double>& values, std::size_t test) const;
+  std::vector<double> slow_rows_at(const std::vector<double>& values) const;
+  /// Each shot with what may be wrong in it alone; nothing where an error of all shots ties their
+  /// rows together, or where FE runs impacts side by side.
+  std::optional<ResidualParts> parts() const;
   void add_shots();
   std::size_t add_start(std::size_t shot);
   void estimate_starts();

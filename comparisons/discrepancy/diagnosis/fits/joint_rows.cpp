@@ -85,6 +85,15 @@ std::vector<double> JointModel::slow_block_at(const std::vector<double>& values,
   return rows;
 }
 
+std::vector<double> JointModel::slow_rows_at(const std::vector<double>& values) const {
+  std::vector<double> rows;
+  for (const auto& [test, unknown] : slow_factors_) {
+    const std::vector<double> block = slow_block_at(values, test);
+    rows.insert(rows.end(), block.begin(), block.end());
+  }
+  return rows;
+}
+
 void JointModel::add_rows() {
   std::vector<std::size_t> force_rows;
   for (std::size_t i = 0; i < seen_.shots.size(); ++i) {
@@ -214,10 +223,8 @@ std::vector<double> JointModel::data_residuals(const std::vector<double>& values
     residuals.insert(residuals.end(), block.begin(), block.end());
   }
   common_error_->take_out(residuals);
-  for (const auto& [test, unknown] : slow_factors_) {
-    const std::vector<double> block = slow_block_at(values, test);
-    residuals.insert(residuals.end(), block.begin(), block.end());
-  }
+  const std::vector<double> slow = slow_rows_at(values);
+  residuals.insert(residuals.end(), slow.begin(), slow.end());
   return residuals;
 }
 
@@ -227,9 +234,26 @@ std::vector<double> JointModel::residuals(const std::vector<double>& values) con
   return residuals;
 }
 
+std::optional<ResidualParts> JointModel::parts() const {
+  if (fem() || !common_error_->is_none() || shot_nuisances_.empty()) return std::nullopt;
+  ResidualParts all;
+  all.parts.resize(seen_.shots.size() + (slow_factors_.empty() ? 0 : 1));
+  for (const DataRow& row : rows_) ++all.parts[std::min(row.shot, seen_.shots.size())].rows;
+  for (std::size_t shot = 0; shot < seen_.shots.size(); ++shot)
+    for (const NuisancePlace& place : nuisances_.places(shot))
+      if (std::find(shot_nuisances_.begin(), shot_nuisances_.end(), place.unknown) !=
+          shot_nuisances_.end())
+        all.parts[shot].own.push_back(place.unknown);
+  all.residuals = [this](const std::vector<double>& x, std::size_t part) {
+    return part < seen_.shots.size() ? block_of(x, part) : slow_rows_at(x);
+  };
+  return all;
+}
+
 CalibrationProblem JointModel::problem() const {
   return {.parameters = unknowns_,
           .residuals = [this](const std::vector<double>& x) { return data_residuals(x); },
+          .parts = parts(),
           .noise = NoiseKnowledge::known,
           .controls = {}};
 }
