@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/asked_fem/beside_fem.hpp"
 #include "comparisons/discrepancy/diagnosis/asked_fem/effects_in_fem.hpp"
@@ -47,14 +48,15 @@ std::vector<std::string> lacking(const Observations& seen, const Hypothesis& bas
 
 /// The believed model with its damping given by the exact relation, where it is
 /// given by a formula that contradicts its own restitution and the data see it.
-HypothesisFit made_consistent(const Observations& seen, const HypothesisFit& believed,
-                              const SelectionRules& rules) {
-  if (believed.hypothesis.believed.damping_formula.empty()) return believed;
-  Hypothesis exact = believed.hypothesis;
+AssessedFit made_consistent(const Observations& seen, const AssessedFit& believed,
+                            const SelectionRules& rules, std::uint64_t seed) {
+  if (believed.fit.hypothesis.believed.damping_formula.empty()) return believed;
+  Hypothesis exact = believed.fit.hypothesis;
   exact.effects.push_back({.name = "low-loss-damping-formula", .size = 1.0, .parameters = {}});
   try {
     HypothesisFit repaired = fit_hypothesis(seen, exact);
-    if (repaired.chi_square < believed.chi_square - rules.close_criterion) return repaired;
+    if (repaired.chi_square < believed.fit.chi_square - rules.close_criterion)
+      return judge_believed(seen, std::move(repaired), absent_effects(exact.effects), rules, seed);
   } catch (const Error& error) {
     if (error.code() != ExitCode::bad_input) throw;  // no such effect for this law
   }
@@ -73,9 +75,10 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
   d.believed = assess_believed(*d.seen, believed, request.rules, request.seed, control);
   report_progress(whole, baseline_share);
-  const HypothesisFit baseline = made_consistent(*d.seen, d.believed.fit, request.rules);
+  const AssessedFit baseline =
+      made_consistent(*d.seen, d.believed, request.rules, request.seed);
   const UnseenSpeed unseen = d.held_out_speed ? UnseenSpeed{d.unseen.get(), &all} : UnseenSpeed{};
-  d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.hypothesis.effects),
+  d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.fit.hypothesis.effects),
                                request.rules, request.seed, control, unseen);
   report_progress(whole, lumped_share);
   const bool has_history = std::any_of(d.seen->shots.begin(), d.seen->shots.end(),

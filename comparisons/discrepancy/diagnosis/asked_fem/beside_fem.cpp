@@ -68,9 +68,12 @@ void search_beside_fem(Diagnosis& d, const DiagnosisRequest& request, const Hypo
   // On a plate that moves FE has come near already, and the lumped model does with that plate only.
   if (!gap->plate_moves() && !comes_near(d, fit_hypothesis(*d.seen, baseline, control))) return;
   const auto seen = std::make_shared<const Observations>(with_numerical_uncertainty(*d.seen, *gap));
+  const std::vector<std::string> effects = absent_effects(baseline.effects);
   EffectSelection selection =
-      select_effects(*seen, fit_hypothesis(*seen, baseline, control),
-                     absent_effects(baseline.effects), request.rules, request.seed, control);
+      select_effects(*seen,
+                     judge_believed(*seen, fit_hypothesis(*seen, baseline, control), effects,
+                                    request.rules, request.seed),
+                     effects, request.rules, request.seed, control);
   if (!takes_its_place(d, selection, *seen, request.rules, control)) return;
   d.law_alone = Gap{.before = d.believed.fit.reduced_chi_square()};
   if (d.held_out_speed)

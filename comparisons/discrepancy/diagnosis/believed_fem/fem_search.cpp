@@ -61,7 +61,7 @@ void search_in_fem(Diagnosis& d, const DiagnosisRequest& request, const Observat
   report_progress(0.15);
   SelectionRules rules = request.rules;
   rules.most_effects = 1;
-  d.selection = select_effects(*d.seen, d.believed.fit, effects, rules, request.seed, control);
+  d.selection = select_effects(*d.seen, d.believed, effects, rules, request.seed, control);
   report_progress(0.5);
   const AssessedFit* nearest = nearest_single(d.selection);
   if (d.selection.baseline.adequate || d.selection.explains() || !nearest) return;
@@ -74,7 +74,7 @@ void search_in_fem(Diagnosis& d, const DiagnosisRequest& request, const Observat
   if (!one_is_enough)
     rules.most_effects = std::min(request.rules.most_effects, most_effects_in_fem);
   d.believed = assess(settled);
-  d.selection = select_effects(*d.seen, d.believed.fit, effects, rules, request.seed, control);
+  d.selection = select_effects(*d.seen, d.believed, effects, rules, request.seed, control);
 }
 
 }  // namespace rebound

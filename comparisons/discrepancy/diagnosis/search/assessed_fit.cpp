@@ -4,9 +4,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 #include "lumped/problem/error.hpp"
 
 namespace rebound {
@@ -98,22 +100,26 @@ bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
 /// it, at each of the numbers it was tried at.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
                      const EffectSensitivities& around) {
-  double most = 0.0;
+  std::vector<EffectChoice> starts;
   for (const EffectSensitivity& tried : around.all()) {
     const EffectCard& card = find_effect(tried.effect.name).card;
     if (!card.jumps_at_touch) continue;
     const EffectScore score = around.score_of(tried);
-    EffectChoice start = tried.effect;
-    start.size =
+    starts.push_back(tried.effect);
+    starts.back().size =
         std::clamp(std::max(score.size, score.size_error), card.range.lowest, card.range.highest);
+  }
+  std::vector<double> gains(starts.size(), 0.0);
+  in_parallel(starts.size(), [&](std::size_t i) {
     try {
-      const HypothesisFit with = fit_extended(seen, fit, {start}, SearchEffort::whole);
-      most = std::max(most, fit.chi_square - with.chi_square);
+      gains[i] = fit.chi_square -
+                 fit_extended(seen, fit, {starts[i]}, SearchEffort::whole).chi_square;
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
     }
-  }
-  return most;
+  });
+  return std::accumulate(gains.begin(), gains.end(), 0.0,
+                         [](double most, double gain) { return std::max(most, gain); });
 }
 
 }  // namespace

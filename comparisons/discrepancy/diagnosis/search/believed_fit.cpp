@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t grid_starts = 2;  // searches from the grid, beside the believed numbers
 constexpr std::size_t most_points = 200;
 
+/// The believed model first.
 std::vector<LumpedModel> lumped_grid(const LumpedModel& believed) {
   std::vector<LumpedModel> grid{believed};
   for (const std::string& name : unknown_numbers(believed)) {
@@ -27,7 +28,7 @@ std::vector<LumpedModel> lumped_grid(const LumpedModel& believed) {
   return grid;
 }
 
-/// Hypotheses about the believed one. In FE the modulus alone is moved: a material has too many
+/// Hypotheses about the believed one, which is none of them. In FE the modulus alone is moved: a material has too many
 /// numbers for a grid of impacts.
 std::vector<Hypothesis> grid_around(const Hypothesis& hypothesis) {
   std::vector<Hypothesis> grid;
@@ -40,9 +41,10 @@ std::vector<Hypothesis> grid_around(const Hypothesis& hypothesis) {
     }
     return grid;
   }
-  for (LumpedModel& model : lumped_grid(hypothesis.believed)) {
+  std::vector<LumpedModel> models = lumped_grid(hypothesis.believed);
+  for (std::size_t i = 1; i < models.size(); ++i) {
     grid.push_back(hypothesis);
-    grid.back().believed = std::move(model);
+    grid.back().believed = std::move(models[i]);
   }
   return grid;
 }

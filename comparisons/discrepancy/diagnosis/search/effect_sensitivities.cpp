@@ -68,6 +68,7 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
   } else {
     basis_.resize(rows, 0);
   }
+  chi_square_left_ = left_of(Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(), rows));
   if (fit.model->fem()) detail = GridDetail::coarse;  // every frequency is an impact of each shot
   const std::vector<EffectChoice> choices =
       of_all(effects_, [&](const EffectCard& card) { return small_effects(card, seen_, detail); });
@@ -78,12 +79,15 @@ EffectSensitivities::EffectSensitivities(const Observations& seen, const Hypothe
 
 std::vector<std::optional<Eigen::VectorXd>> EffectSensitivities::moved_residuals(
     const std::vector<EffectChoice>& choices) const {
-  // Impacts of the fit are kept in its model: run before threads share it, they are only read.
-  for (std::size_t shot = 0; shot < seen_.shots.size(); ++shot)
-    fit_.model->impact(fit_.values, shot);
+  run_impacts();
   std::vector<std::optional<Eigen::VectorXd>> moved(choices.size());
   in_parallel(choices.size(), [&](std::size_t i) { moved[i] = residuals_with(fit_, choices[i]); });
   return moved;
+}
+
+void EffectSensitivities::run_impacts() const {
+  for (std::size_t shot = 0; shot < seen_.shots.size(); ++shot)
+    fit_.model->impact(fit_.values, shot);
 }
 
 std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectCard& card) const {
@@ -93,8 +97,7 @@ std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectC
 std::optional<double> EffectSensitivities::rise(const EffectChoice& effect) const {
   const auto moved = residuals_with(fit_, effect);
   if (!moved) return std::nullopt;
-  const Eigen::Map<const Eigen::VectorXd> r(fit_.residuals.data(), moved->size());
-  return project(*moved).squaredNorm() - project(r).squaredNorm();
+  return left_of(*moved) - chi_square_left_;
 }
 
 void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved) {
@@ -108,6 +111,10 @@ void EffectSensitivities::add_sensitivity(const EffectChoice& small, const Eigen
   sensitivity.absorbed = 1.0 - left / whole;
   sensitivity.noise_freedom = noise_freedom_at(seen_, frequency_of(sensitivity.sensitivity));
   sensitivities_.push_back(std::move(sensitivity));
+}
+
+double EffectSensitivities::left_of(const Eigen::VectorXd& rows) const {
+  return rows.squaredNorm() - (basis_.transpose() * rows).squaredNorm();
 }
 
 Eigen::VectorXd EffectSensitivities::project(const Eigen::VectorXd& column) const {

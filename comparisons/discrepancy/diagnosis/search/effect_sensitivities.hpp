@@ -64,6 +64,9 @@ class EffectSensitivities {
   /// How far χ² rises with an effect of this size and these parameters, once the fit's own
   /// unknowns have taken what they can; nothing where it has no form here or no answer.
   std::optional<double> rise(const EffectChoice& effect) const;
+  /// Impacts of the fit are kept in its model: run before threads ask for rise(), they are only
+  /// read.
+  void run_impacts() const;
 
   EffectScore score_of(const EffectSensitivity& sensitivity) const;
   /// Best score of each effect over the parameters it was taken at.
@@ -106,6 +109,8 @@ class EffectSensitivities {
   std::vector<EffectChoice> stronger_where_it_shows(const EffectCard& card) const;
   std::vector<EffectChoice> best_to_first_order(const EffectCard& card) const;
   std::vector<EffectProbe> probed(const std::vector<EffectChoice>& choices) const;
+  /// χ² of rows once the fit's own unknowns have taken what they can.
+  double left_of(const Eigen::VectorXd& rows) const;
   void add_sensitivity(const EffectChoice& small, const Eigen::VectorXd& moved);
   /// residuals_with() of each, side by side.
   std::vector<std::optional<Eigen::VectorXd>> moved_residuals(
@@ -117,6 +122,7 @@ class EffectSensitivities {
   GridDetail of_starts_;
   Eigen::MatrixXd jacobian_;
   Eigen::MatrixXd basis_;  ///< orthonormal columns of the Jacobian
+  double chi_square_left_ = 0.0;  ///< left_of() the fit's own residuals
   std::vector<EffectSensitivity> sensitivities_;
   std::vector<EffectProbe> probes_;  ///< best first
 };

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+
+#include "comparisons/models/parallel/in_parallel.hpp"
 
 namespace rebound {
 namespace {
@@ -65,13 +68,17 @@ std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
 }  // namespace
 
 std::vector<ExcludedSize> excluded_sizes(const EffectSensitivities& around) {
+  const std::vector<std::string>& names = around.effects();
+  around.run_impacts();
+  std::vector<std::optional<ExcludedSize>> found(names.size());
+  in_parallel(names.size(), [&](std::size_t i) {
+    const EffectCard& card = find_effect(names[i]).card;
+    if (!card.is_switch && std::isfinite(card.null))
+      found[i] = size_that_raises(around, card, excluding_rise);
+  });
   std::vector<ExcludedSize> all;
-  for (const std::string& name : around.effects()) {
-    const EffectCard& card = find_effect(name).card;
-    if (card.is_switch || !std::isfinite(card.null)) continue;
-    if (const auto excluded = size_that_raises(around, card, excluding_rise))
-      all.push_back(*excluded);
-  }
+  for (auto& one : found)
+    if (one) all.push_back(std::move(*one));
   return all;
 }
 

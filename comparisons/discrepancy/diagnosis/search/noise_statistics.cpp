@@ -16,13 +16,16 @@ namespace rebound {
 Eigen::MatrixXd coordinates_in_own_span(const Eigen::MatrixXd& units) {
   constexpr double left_out = 1e-8;  // of a unit column, in squares
   const Eigen::Index count = units.cols(), most = std::min(units.rows(), count);
-  Eigen::VectorXd left = units.colwise().squaredNorm();
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
+  products.selfadjointView<Eigen::Lower>().rankUpdate(units.transpose());
+  products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+  Eigen::VectorXd left = products.diagonal();
   Eigen::MatrixXd root(count, most);
   Eigen::Index rank = 0;
   for (Eigen::Index pivot = 0; rank < most; ++rank) {
     if (left.maxCoeff(&pivot) <= left_out) break;
     const double length = std::sqrt(left(pivot));
-    Eigen::VectorXd column = units.transpose() * units.col(pivot);
+    Eigen::VectorXd column = products.col(pivot);
     column.noalias() -= root.leftCols(rank) * root.row(pivot).head(rank).transpose();
     root.col(rank) = column / length;
     left -= root.col(rank).cwiseAbs2();

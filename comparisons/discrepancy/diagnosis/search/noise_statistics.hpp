@@ -8,7 +8,7 @@
 namespace rebound {
 
 /// Rows q_j with q_i · q_j = u_i · u_j, in as few numbers as the columns span: Cholesky's factor of
-/// their products by largest pivots, which needs the products with the pivots alone.
+/// their products by largest pivots.
 /// Limit: columns of which one is a sum of the others need one number less
 ///        -> test NoiseStatisticsTest.ProductsAreThoseOfTheColumns.
 Eigen::MatrixXd coordinates_in_own_span(const Eigen::MatrixXd& units);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
 #include "comparisons/discrepancy/diagnosis/search/candidates.hpp"
@@ -78,14 +79,13 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
 
 }  // namespace
 
-EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
+EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
                                std::uint64_t seed, const RunControl& control,
                                const UnseenSpeed& unseen) {
   EffectSelection selection;
-  selection.baseline = judge_by_chi_square(seen, std::move(baseline), rules);
+  selection.baseline = std::move(baseline);
   EffectSensitivities around(seen, selection.baseline.fit, effects);
-  look_at_believed(seen, around, rules, seed, selection.baseline);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
   const bool is_seen_with_unseen =

@@ -35,7 +35,8 @@ struct UnseenSpeed {
   const Observations* with_seen = nullptr;  ///< and all others with them
 };
 
-/// Looks for the smallest sets of effects that explain what the baseline does not.
+/// Looks for the smallest sets of effects that explain what the baseline, judged by
+/// judge_believed(), does not.
 ///
 ///   1 first-order score of every effect on the baseline's residuals
 ///   2 the best single effects, and every family by its free form, fitted jointly over all shots
@@ -53,7 +54,7 @@ struct UnseenSpeed {
 ///
 /// An empty `indistinguishable` with an inadequate baseline means: not explained by
 /// anything in the list.
-EffectSelection select_effects(const Observations& seen, HypothesisFit baseline,
+EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
                                const std::vector<std::string>& effects, const SelectionRules& rules,
                                std::uint64_t seed, const RunControl& control = {},
                                const UnseenSpeed& unseen = {});
