@@ -10,7 +10,7 @@ namespace rebound {
 struct Optimum {
   Eigen::VectorXd y;
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd jacobian;   ///< ∂r/∂y
+  Eigen::MatrixXd jacobian;   ///< ∂r/∂y, or fewer rows of the same JᵀJ
   std::vector<bool> at_edge;  ///< the model has no answer on one side of this parameter
 };
 

@@ -52,6 +52,17 @@ std::vector<double> picked(const std::vector<double>& all, const std::vector<std
   return some;
 }
 
+/// Appends the rows of R of slopes = Q R, each number in the column of its unknown.
+void add_triangle(const Eigen::MatrixXd& slopes, const std::vector<std::size_t>& columns,
+                  Eigen::Index unknowns, std::vector<Eigen::RowVectorXd>& rows) {
+  const Eigen::MatrixXd reduced = slopes.householderQr().matrixQR();
+  for (Eigen::Index i = 0; i < std::min(reduced.rows(), reduced.cols()); ++i) {
+    rows.emplace_back(Eigen::RowVectorXd::Zero(unknowns));
+    for (Eigen::Index k = i; k < reduced.cols(); ++k)
+      rows.back()[static_cast<Eigen::Index>(columns[static_cast<std::size_t>(k)])] = reduced(i, k);
+  }
+}
+
 }  // namespace
 
 /// One part as Ceres sees it: a block of the shared unknowns, then one of its own, if it has any.
@@ -71,19 +82,26 @@ class PartCost final : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
+    std::vector<double> at;
     for (std::size_t b = 0; b < blocks_.size(); ++b)
-      for (std::size_t k = 0; k < blocks_[b]->size(); ++k)
+      for (std::size_t k = 0; k < blocks_[b]->size(); ++k) {
         whole_.y_[(*blocks_[b])[k]] = parameters[b][k];
+        at.push_back(parameters[b][k]);
+      }
     const auto model = [this](const std::vector<double>& x) {
       return whole_.problem_.parts->residuals(x, part_);
     };
-    std::vector<double> centre, slope;
-    if (!whole_.answers_.ask(whole_.y_, rows_, model, centre)) return false;
-    std::copy(centre.begin(), centre.end(), residuals);
+    if (at != last_at_) {
+      last_at_.clear();
+      if (!whole_.answers_.ask(whole_.y_, rows_, model, last_)) return false;
+      last_at_ = std::move(at);
+    }
+    std::copy(last_.begin(), last_.end(), residuals);
+    std::vector<double> slope;
     for (std::size_t b = 0; jacobians && b < blocks_.size(); ++b) {
       const std::size_t columns = blocks_[b]->size();
       for (std::size_t k = 0; jacobians[b] && k < columns; ++k) {
-        if (!whole_.answers_.difference(whole_.y_, (*blocks_[b])[k], model, centre, slope))
+        if (!whole_.answers_.difference(whole_.y_, (*blocks_[b])[k], model, last_, slope))
           return false;
         for (std::size_t i = 0; i < rows_; ++i) jacobians[b][i * columns + k] = slope[i];
       }
@@ -91,10 +109,29 @@ class PartCost final : public ceres::CostFunction {
     return true;
   }
 
+  /// ∂r/∂y of the part by the shared unknowns, then its own, at y, with its residuals; false where
+  /// it has no answer.
+  bool look_at(const std::vector<double>& y, std::vector<double>& residuals,
+               Eigen::MatrixXd& slopes) const {
+    const std::vector<double> shared = picked(y, whole_.shared_), own_ones = picked(y, own());
+    const auto rows = static_cast<Eigen::Index>(rows_);
+    const auto middle = static_cast<Eigen::Index>(shared.size());
+    RowMajor by_shared(rows, middle), by_own(rows, static_cast<Eigen::Index>(own_ones.size()));
+    const double* at[] = {shared.data(), own_ones.data()};
+    double* out[] = {by_shared.data(), by_own.data()};
+    residuals.resize(rows_);
+    if (!Evaluate(at, residuals.data(), out)) return false;
+    slopes.resize(rows, middle + by_own.cols());
+    slopes << by_shared, by_own;
+    return true;
+  }
+
  private:
   PartedSearch& whole_;
   std::size_t part_, rows_;
   std::vector<const std::vector<std::size_t>*> blocks_;  ///< of unknowns
+  /// Ceres asks for the same point up to three times: along a step, at its end, with derivatives.
+  mutable std::vector<double> last_at_, last_;
 };
 
 PartedSearch::PartedSearch(const CalibrationProblem& problem)
@@ -149,35 +186,19 @@ Attempt PartedSearch::from(const std::vector<double>& y, const RunControl& contr
 Optimum PartedSearch::surroundings(const std::vector<double>& y) {
   for (std::size_t j = 0; j < y.size(); ++j) answers_.forget_edge(j);
   const auto unknowns = static_cast<Eigen::Index>(y.size());
-  const std::vector<double> shared = picked(y, shared_);
-  std::vector<double> residuals;
+  std::vector<double> residuals, of_part;
   std::vector<Eigen::RowVectorXd> rows;
+  Eigen::MatrixXd slopes;
   y_ = y;
   for (const auto& cost : costs_) {
-    std::vector<std::size_t> places = shared_;
-    places.insert(places.end(), cost->own().begin(), cost->own().end());
-    const auto count = static_cast<Eigen::Index>(cost->rows());
-    const auto shares = static_cast<Eigen::Index>(shared_.size());
-    const std::vector<double> own = picked(y, cost->own());
-    RowMajor by_shared(count, shares), by_own(count, static_cast<Eigen::Index>(own.size()));
-    std::vector<double> of_part(cost->rows());
-    const double* at[] = {shared.data(), own.data()};
-    double* slopes[] = {by_shared.data(), by_own.data()};
-    if (!cost->Evaluate(at, of_part.data(), slopes)) {
+    if (!cost->look_at(y, of_part, slopes)) {
       if (answers_.failure()) std::rethrow_exception(answers_.failure());
       throw Error(ExitCode::solver_failed, "the model has no answer around the estimates");
     }
     residuals.insert(residuals.end(), of_part.begin(), of_part.end());
-    Eigen::MatrixXd slopes_of_part(count, static_cast<Eigen::Index>(places.size()));
-    slopes_of_part << by_shared, by_own;
-    const Eigen::MatrixXd triangle =
-        slopes_of_part.householderQr().matrixQR().triangularView<Eigen::Upper>();
-    for (Eigen::Index i = 0; i < std::min(triangle.rows(), triangle.cols()); ++i) {
-      rows.emplace_back(Eigen::RowVectorXd::Zero(unknowns));
-      for (Eigen::Index k = i; k < triangle.cols(); ++k)
-        rows.back()[static_cast<Eigen::Index>(places[static_cast<std::size_t>(k)])] =
-            triangle(i, k);
-    }
+    std::vector<std::size_t> columns = shared_;
+    columns.insert(columns.end(), cost->own().begin(), cost->own().end());
+    add_triangle(slopes, columns, unknowns, rows);
   }
   for (std::size_t j = 0; j < y.size(); ++j) {
     const auto& one = problem_.parameters[j];
