@@ -75,8 +75,7 @@ void search(Diagnosis& d, const DiagnosisRequest& request, const Hypothesis& bel
   const RunControl control{.interrupted = whole.interrupted};  // parts do not know the whole
   d.believed = assess_believed(*d.seen, believed, request.rules, request.seed, control);
   report_progress(whole, baseline_share);
-  const AssessedFit baseline =
-      made_consistent(*d.seen, d.believed, request.rules, request.seed);
+  const AssessedFit baseline = made_consistent(*d.seen, d.believed, request.rules, request.seed);
   const UnseenSpeed unseen = d.held_out_speed ? UnseenSpeed{d.unseen.get(), &all} : UnseenSpeed{};
   d.selection = select_effects(*d.seen, baseline, absent_effects(baseline.fit.hypothesis.effects),
                                request.rules, request.seed, control, unseen);

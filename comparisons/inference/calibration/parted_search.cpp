@@ -35,8 +35,7 @@ std::unique_ptr<ceres::CostFunction> priors_of(const CalibrationProblem& problem
     if (problem.parameters[unknowns[k]].prior) held.push_back(static_cast<Eigen::Index>(k));
   if (held.empty()) return nullptr;
   const auto count = static_cast<Eigen::Index>(unknowns.size());
-  ceres::Matrix weights =
-      ceres::Matrix::Zero(static_cast<Eigen::Index>(held.size()), count);
+  ceres::Matrix weights = ceres::Matrix::Zero(static_cast<Eigen::Index>(held.size()), count);
   ceres::Vector means = ceres::Vector::Zero(count);
   for (std::size_t row = 0; row < held.size(); ++row) {
     const auto& one = problem.parameters[unknowns[static_cast<std::size_t>(held[row])]];

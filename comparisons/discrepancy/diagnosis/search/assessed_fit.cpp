@@ -112,8 +112,8 @@ double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
   std::vector<double> gains(starts.size(), 0.0);
   in_parallel(starts.size(), [&](std::size_t i) {
     try {
-      gains[i] = fit.chi_square -
-                 fit_extended(seen, fit, {starts[i]}, SearchEffort::whole).chi_square;
+      gains[i] =
+          fit.chi_square - fit_extended(seen, fit, {starts[i]}, SearchEffort::whole).chi_square;
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
     }

@@ -28,8 +28,8 @@ std::vector<LumpedModel> lumped_grid(const LumpedModel& believed) {
   return grid;
 }
 
-/// Hypotheses about the believed one, which is none of them. In FE the modulus alone is moved: a material has too many
-/// numbers for a grid of impacts.
+/// Hypotheses about the believed one, which is none of them. In FE the modulus alone is moved: a
+/// material has too many numbers for a grid of impacts.
 std::vector<Hypothesis> grid_around(const Hypothesis& hypothesis) {
   std::vector<Hypothesis> grid;
   if (hypothesis.fem) {

@@ -121,7 +121,7 @@ class EffectSensitivities {
   std::vector<std::string> effects_;
   GridDetail of_starts_;
   Eigen::MatrixXd jacobian_;
-  Eigen::MatrixXd basis_;  ///< orthonormal columns of the Jacobian
+  Eigen::MatrixXd basis_;         ///< orthonormal columns of the Jacobian
   double chi_square_left_ = 0.0;  ///< left_of() the fit's own residuals
   std::vector<EffectSensitivity> sensitivities_;
   std::vector<EffectProbe> probes_;  ///< best first

@@ -27,32 +27,28 @@ class Decays {
   }
 
   CalibrationProblem problem(bool by_parts) const {
-    CalibrationProblem all{.parameters = {{.name = "a",
-                                           .unit = "",
-                                           .start = 1.0,
-                                           .lowest = 0.1,
-                                           .highest = 10.0,
-                                           .scale = 1.0},
-                                          {.name = "b",
-                                           .unit = "",
-                                           .start = 0.2,
-                                           .lowest = 0.01,
-                                           .highest = most_,
-                                           .scale = 1.0,
-                                           .prior = Prior{0.5, 1.0}}},
-                           .residuals =
-                               [this](const std::vector<double>& x) {
-                                 std::vector<double> rows;
-                                 for (std::size_t k = 0; k < parts; ++k)
-                                   for (const double row : of_part(x, k)) rows.push_back(row);
-                                 return rows;
-                               },
-                           .noise = NoiseKnowledge::known,
-                           .controls = {.differences = Differences::one_sided}};
-    ResidualParts split{.parts = std::vector<ResidualParts::Part>(parts),
-                        .residuals = [this](const std::vector<double>& x, std::size_t k) {
-                          return of_part(x, k);
-                        }};
+    CalibrationProblem all{
+        .parameters =
+            {{.name = "a", .unit = "", .start = 1.0, .lowest = 0.1, .highest = 10.0, .scale = 1.0},
+             {.name = "b",
+              .unit = "",
+              .start = 0.2,
+              .lowest = 0.01,
+              .highest = most_,
+              .scale = 1.0,
+              .prior = Prior{0.5, 1.0}}},
+        .residuals =
+            [this](const std::vector<double>& x) {
+              std::vector<double> rows;
+              for (std::size_t k = 0; k < parts; ++k)
+                for (const double row : of_part(x, k)) rows.push_back(row);
+              return rows;
+            },
+        .noise = NoiseKnowledge::known,
+        .controls = {.differences = Differences::one_sided}};
+    ResidualParts split{
+        .parts = std::vector<ResidualParts::Part>(parts),
+        .residuals = [this](const std::vector<double>& x, std::size_t k) { return of_part(x, k); }};
     for (std::size_t k = 0; k < parts; ++k) {
       split.parts[k] = {.rows = samples, .own = {all.parameters.size()}};
       all.parameters.push_back({.name = "zero " + std::to_string(k),
