@@ -82,7 +82,7 @@ TEST(SuddenChangeTest, SeesAStiffnessThatDrops) {
     return judge_believed(seen, fit_hypothesis(seen, {.believed = testing::believed_law()}),
                           absent_effects({}), {}, 1);
   };
-  const AssessedFit broken = judged(0.01), sound = judged(0.0);
+  const AssessedFit broken = judged(0.015), sound = judged(0.0);
   EXPECT_GT(broken.p_value, 0.001);
   EXPECT_LT(broken.sudden.p_value, 1e-3);
   EXPECT_FALSE(broken.adequate);
@@ -91,7 +91,7 @@ TEST(SuddenChangeTest, SeesAStiffnessThatDrops) {
 }
 
 TEST(SuddenChangeTest, ABallThatBreaksIsUnexplained) {
-  for (const double share : {0.02, 0.05})
+  for (const double share : {0.03, 0.06})
     for (int seed = 1; seed <= 2; ++seed) {
       const Diagnosis d = testing::diagnosis_of(of_breaking_balls(share, seed));
       EXPECT_EQ(d.verdict, DiagnosisVerdict::unexplained) << share << ", seed " << seed;
