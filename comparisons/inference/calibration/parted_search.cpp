@@ -143,29 +143,36 @@ PartedSearch::~PartedSearch() = default;
 
 Attempt PartedSearch::from(const std::vector<double>& y, const RunControl& control) {
   y_ = y;
-  // Of the shared unknowns, then of each part.
-  std::vector<std::vector<double>> blocks{picked(y, shared_)};
-  for (const auto& cost : costs_) blocks.push_back(picked(y, cost->own()));
+  // Of the shared unknowns, then of each part, in one piece: Ceres orders blocks by their
+  // addresses, and sums come out the same to the last bit only in the same order.
+  std::vector<double> at = picked(y, shared_);
+  std::vector<std::size_t> places = shared_;
+  for (const auto& cost : costs_)
+    for (const std::size_t one : cost->own()) {
+      at.push_back(y[one]);
+      places.push_back(one);
+    }
   std::vector<std::unique_ptr<ceres::CostFunction>> priors;
   ceres::Problem search(search_ownership());
   const auto order = std::make_shared<ceres::ParameterBlockOrdering>();
-  const auto add_block = [&](std::vector<double>& block, const std::vector<std::size_t>& unknowns,
-                             int group) {
+  const auto add_block = [&](double* block, const std::vector<std::size_t>& unknowns, int group) {
     for (std::size_t k = 0; k < unknowns.size(); ++k)
-      bound(search, block.data(), k, problem_.parameters[unknowns[k]]);
+      bound(search, block, k, problem_.parameters[unknowns[k]]);
     if (auto prior = priors_of(problem_, unknowns)) {
-      search.AddResidualBlock(prior.get(), nullptr, block.data());
+      search.AddResidualBlock(prior.get(), nullptr, block);
       priors.push_back(std::move(prior));
     }
-    order->AddElementToGroup(block.data(), group);
+    order->AddElementToGroup(block, group);
   };
-  for (std::size_t p = 0; p < costs_.size(); ++p) {
-    std::vector<double*> seen{blocks[0].data()};
-    if (!costs_[p]->own().empty()) seen.push_back(blocks[p + 1].data());
-    search.AddResidualBlock(costs_[p].get(), nullptr, seen);
-    if (seen.size() > 1) add_block(blocks[p + 1], costs_[p]->own(), 0);
+  double* own = at.data() + shared_.size();
+  for (const auto& cost : costs_) {
+    std::vector<double*> seen{at.data()};
+    if (!cost->own().empty()) seen.push_back(own);
+    search.AddResidualBlock(cost.get(), nullptr, seen);
+    if (seen.size() > 1) add_block(own, cost->own(), 0);
+    own += cost->own().size();
   }
-  add_block(blocks[0], shared_, 1);
+  add_block(at.data(), shared_, 1);
   ceres::Solver::Options options = search_options(problem_.controls);
   options.linear_solver_type = ceres::DENSE_SCHUR;
   options.linear_solver_ordering = order;
@@ -175,10 +182,7 @@ Attempt PartedSearch::from(const std::vector<double>& y, const RunControl& contr
   ceres::Solve(options, &search, &summary);
   if (answers_.failure()) std::rethrow_exception(answers_.failure());
   std::vector<double> end = y;
-  for (std::size_t k = 0; k < shared_.size(); ++k) end[shared_[k]] = blocks[0][k];
-  for (std::size_t p = 0; p < costs_.size(); ++p)
-    for (std::size_t k = 0; k < costs_[p]->own().size(); ++k)
-      end[costs_[p]->own()[k]] = blocks[p + 1][k];
+  for (std::size_t k = 0; k < places.size(); ++k) end[places[k]] = at[k];
   return attempt_of(summary, std::move(end));
 }
 
