@@ -151,7 +151,6 @@ Json tried_json(const std::vector<AssessedFit>& tried) {
                     {"largest_z", one.map.largest},
                     {"z_threshold", one.map.threshold},
                     {"further_force", score_json(one.further_force)},
-                    {"sudden_change", score_json(one.sudden)},
                     {"varying_numbers", score_json(one.varying)},
                     {"explains", one.judged ? Json(one.adequate) : Json(nullptr)}});
   }

@@ -47,8 +47,7 @@ bool leaves_little(const ScoreTest& further, const AssessedFit& baseline,
 bool leaves_little(const AssessedFit& baseline, const AssessedFit& candidate, double share,
                    double least_chance) {
   return leaves_little(candidate.further_force, baseline, candidate, share, least_chance) &&
-         leaves_little(candidate.varying, baseline, candidate, share, least_chance) &&
-         leaves_little(candidate.sudden, baseline, candidate, share, least_chance);
+         leaves_little(candidate.varying, baseline, candidate, share, least_chance);
 }
 
 /// Of the map, how far above its threshold what is nearly adequate may be.
@@ -94,8 +93,7 @@ bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
   return fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
          fit.best_remaining <= fit.remaining_threshold &&
          !fit.leaves_a_force(rules.smallest_adequate_p) &&
-         !fit.leaves_varying_numbers(rules.smallest_adequate_p) &&
-         !fit.leaves_a_sudden_change(rules.smallest_adequate_p);
+         !fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
@@ -173,7 +171,6 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
         std::max(fit.best_remaining, estimated ? score.gain_of_known_noise : score.gain_chi_square);
   fit.further_force = test_further_force(seen, fit.fit, around, noise_freedom);
   fit.varying = test_varying_numbers(seen, fit.fit, around, noise_freedom);
-  fit.sudden = test_sudden_change(seen, fit.fit, around, noise_freedom);
   fit.judged = true;
   fit.adequate = leaves_nothing(rules, fit);
 }

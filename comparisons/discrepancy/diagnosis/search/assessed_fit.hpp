@@ -9,7 +9,6 @@
 #include "comparisons/discrepancy/diagnosis/search/effect_sensitivities.hpp"
 #include "comparisons/discrepancy/diagnosis/search/force_score_test.hpp"
 #include "comparisons/discrepancy/diagnosis/search/residual_map.hpp"
-#include "comparisons/discrepancy/diagnosis/search/sudden_change.hpp"
 #include "comparisons/discrepancy/diagnosis/search/varying_numbers.hpp"
 
 namespace rebound {
@@ -39,7 +38,6 @@ struct AssessedFit {
   double best_remaining = 0.0;  ///< largest Δχ² that one more effect would bring, to first order
   double remaining_threshold = 0.0;
   ScoreTest further_force;  ///< what a force without a formula would bring
-  ScoreTest sudden;         ///< what a force that changes from some point on would bring
   ScoreTest varying;        ///< what other numbers of the law from shot to shot would bring
   /// Of the speed that no fit saw; absent where it was not asked.
   std::optional<double> unseen_chi_square;
@@ -62,7 +60,6 @@ struct AssessedFit {
   /// Would a force without a formula bring what noise brings less often?
   bool leaves_a_force(double least_chance) const { return further_force.p_value <= least_chance; }
   /// Would the law's numbers vary from shot to shot by what they do less often?
-  bool leaves_a_sudden_change(double least_chance) const { return sudden.p_value <= least_chance; }
   bool leaves_varying_numbers(double least_chance) const { return varying.p_value <= least_chance; }
   /// Where a curve is adequate: only since it is allowed to leave a share of the residuals.
   bool leaves_structure() const { return !map.quiet() || best_remaining > remaining_threshold; }

@@ -23,20 +23,6 @@ void ScoredColumns::add(const Eigen::VectorXd& column) {
   if (left.norm() > absorbed) kept_.push_back(left.normalized());
 }
 
-ScoreTest ScoredColumns::largest_on(const std::vector<double>& residuals,
-                                    double noise_freedom) const {
-  if (kept_.empty()) return {};
-  const Eigen::Map<const Eigen::VectorXd> r(residuals.data(), kept_.front().size());
-  ScoreTest test{.chi_square = 0.0, .freedom = 1};
-  for (const Eigen::VectorXd& column : kept_)
-    test.chi_square = std::max(test.chi_square, std::pow(column.dot(r), 2));
-  const double alone = std::isfinite(noise_freedom)
-                           ? fisher_chance_above(1.0, noise_freedom, test.chi_square)
-                           : chi_squared_chance_above(1.0, test.chi_square);
-  test.p_value = std::min(1.0, static_cast<double>(kept_.size()) * alone);
-  return test;
-}
-
 ScoreTest ScoredColumns::tested_on(const std::vector<double>& residuals,
                                    double noise_freedom) const {
   if (kept_.empty()) return {};

@@ -37,8 +37,6 @@ class ScoredColumns {
 
   /// `noise_freedom` ν: infinite where the noise is known.
   ScoreTest tested_on(const std::vector<double>& residuals, double noise_freedom) const;
-  /// The column that alone brings most, as so many times its chance as there are columns.
-  ScoreTest largest_on(const std::vector<double>& residuals, double noise_freedom) const;
 
  private:
   const EffectSensitivities& around_;
