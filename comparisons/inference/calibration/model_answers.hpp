@@ -26,7 +26,7 @@ class ModelAnswers {
                   const std::vector<double>& centre, std::vector<double>& slope);
 
   /// Did the model have an answer on one side only, the last time the derivative by this parameter
-  /// was taken? Where it is taken part by part: of any part since forget_edges().
+  /// was taken? Where it is taken part by part: of any part since forget_edge().
   bool at_edge(std::size_t parameter) const { return edge_[parameter]; }
   void forget_edge(std::size_t parameter) { edge_[parameter] = false; }
   bool met_no_answer() const { return met_no_answer_; }
