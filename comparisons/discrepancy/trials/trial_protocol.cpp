@@ -12,13 +12,14 @@ constexpr std::size_t digest_digits = 12;
 
 Json rules_json(const SelectionRules& rules) {
   // By all members at once: a threshold that is added there does not compile here without its name.
-  const auto& [gap_level, candidate_level, close, adequate_p, singles, faults, pairs, most, draws,
-               inclusion] = rules;
+  const auto& [gap_level, candidate_level, close, adequate_p, score, singles, faults, pairs, most,
+               draws, inclusion] = rules;
   return {{"false_gap_level", gap_level}, {"candidate_level", candidate_level},
           {"close_criterion", close},     {"smallest_adequate_p", adequate_p},
-          {"fitted_singles", singles},    {"fitted_faults", faults},
-          {"fitted_pairs", pairs},        {"most_effects", most},
-          {"bootstrap_draws", draws},     {"least_inclusion", inclusion}};
+          {"least_likely_score", score},  {"fitted_singles", singles},
+          {"fitted_faults", faults},      {"fitted_pairs", pairs},
+          {"most_effects", most},         {"bootstrap_draws", draws},
+          {"least_inclusion", inclusion}};
 }
 
 }  // namespace

@@ -50,6 +50,17 @@ bool leaves_little(const AssessedFit& baseline, const AssessedFit& candidate, do
          leaves_little(candidate.varying, baseline, candidate, share, least_chance);
 }
 
+/// Does a candidate leave what showed that something is missing? A score test that few numbers
+/// pass by chance shows what χ² does not; a candidate that lowers it a little, until noise could
+/// just make the rest, has not found what it shows.
+bool leaves_what_showed(const SelectionRules& rules, const ScoreTest& before,
+                        const ScoreTest& after) {
+  constexpr double most_left = 0.5;  // of the excess
+  constexpr double by_chance = 0.1;  // of noise that leaves as much
+  return before.p_value <= rules.false_gap_level && after.p_value <= by_chance &&
+         after.excess() > most_left * before.excess();
+}
+
 /// Of the map, how far above its threshold what is nearly adequate may be.
 constexpr double above_threshold = 1.2;
 
@@ -89,11 +100,11 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
       leaves_little(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
-bool leaves_nothing(const SelectionRules& rules, const AssessedFit& fit) {
+/// `least_chance` of its score tests.
+bool leaves_nothing(const SelectionRules& rules, double least_chance, const AssessedFit& fit) {
   return fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
-         fit.best_remaining <= fit.remaining_threshold &&
-         !fit.leaves_a_force(rules.smallest_adequate_p) &&
-         !fit.leaves_varying_numbers(rules.smallest_adequate_p);
+         fit.best_remaining <= fit.remaining_threshold && !fit.leaves_a_force(least_chance) &&
+         !fit.leaves_varying_numbers(least_chance);
 }
 
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
@@ -172,17 +183,21 @@ void look_closely(const Observations& seen, const EffectSensitivities& around,
   fit.further_force = test_further_force(seen, fit.fit, around, noise_freedom);
   fit.varying = test_varying_numbers(seen, fit.fit, around, noise_freedom);
   fit.judged = true;
-  fit.adequate = leaves_nothing(rules, fit);
+  fit.adequate = leaves_nothing(rules, rules.smallest_adequate_p, fit);
 }
 
 void look_at_believed(const Observations& seen, const EffectSensitivities& around,
                       const SelectionRules& rules, std::uint64_t seed, AssessedFit& believed) {
   look_closely(seen, around, rules, rules.false_gap_level, seed, noise_freedom_at(seen, 0.0),
                believed);
+  const auto leaves_none = [&] {
+    return leaves_nothing(rules, rules.least_likely_score, believed);
+  };
+  believed.adequate = leaves_none();
   if (!believed.adequate || believed.fit.hypothesis.fem) return;
   believed.best_remaining =
       std::max(believed.best_remaining, gain_of_jumps(seen, believed.fit, around));
-  believed.adequate = leaves_nothing(rules, believed);
+  believed.adequate = leaves_none();
 }
 
 AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
@@ -200,6 +215,11 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
   const EffectSensitivities around(seen, candidate.fit, absent_from(candidate.fit.effects, effects),
                                    GridDetail::coarse);
   look_closely(seen, around, rules, rules.candidate_level, seed, known_noise, candidate);
+  if (leaves_what_showed(rules, baseline.further_force, candidate.further_force) ||
+      leaves_what_showed(rules, baseline.varying, candidate.varying)) {
+    candidate.adequate = false;
+    return;
+  }
   if (candidate.adequate) return;
   if (has_curve(candidate.fit))
     judge_curve(rules, baseline, candidate);

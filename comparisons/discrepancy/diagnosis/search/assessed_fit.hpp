@@ -21,11 +21,14 @@ struct SelectionRules {
   double candidate_level = 0.002;
   double close_criterion = 6.0;  ///< a rival within this information criterion is not ruled out
   double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
-  int fitted_singles = 10;            ///< best physical effects that are fitted in full
-  int fitted_faults = 6;              ///< best faults of the measurement
-  int fitted_pairs = 8;               ///< of sets of two effects and more, per step
-  std::size_t most_effects = 4;       ///< of a set
-  int bootstrap_draws = 999;          ///< repetitions of the choice; 0: none
+  /// Of score tests of the believed model: below, something is missing. There are two, of two sets
+  /// of shots.
+  double least_likely_score = 3e-3;
+  int fitted_singles = 10;       ///< best physical effects that are fitted in full
+  int fitted_faults = 6;         ///< best faults of the measurement
+  int fitted_pairs = 8;          ///< of sets of two effects and more, per step
+  std::size_t most_effects = 4;  ///< of a set
+  int bootstrap_draws = 999;     ///< repetitions of the choice; 0: none
   /// Of the repetitions: an effect that is chosen less often carries no name.
   double least_inclusion = 0.75;
 };

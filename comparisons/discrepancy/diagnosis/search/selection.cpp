@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "comparisons/discrepancy/diagnosis/fits/held_out_gap.hpp"
@@ -61,6 +62,26 @@ double gain_over(const AssessedFit& baseline, const AssessedFit& one) {
   return gain + *baseline.unseen_chi_square - *one.unseen_chi_square;
 }
 
+/// Drops candidates that are better than no effect by neither criterion, by as much as one
+/// candidate must be better than another. A score test of few numbers shows gaps that leave χ²
+/// where it was; what lowers it by chance, until the test is passed, explains none of them.
+void drop_what_gains_nothing(EffectSelection& selection, double close_criterion) {
+  const AssessedFit& none = selection.baseline;
+  std::erase_if(selection.indistinguishable, [&](std::size_t i) {
+    const AssessedFit& one = selection.tried[i];
+    const double numbers = (one.fit.information_criterion - one.fit.prediction_criterion) -
+                           (none.fit.information_criterion - none.fit.prediction_criterion);
+    const double gain = gain_over(none, one);
+    return std::max(gain, gain + numbers) <= close_criterion;
+  });
+}
+
+/// Is a gap beyond what noise makes once in fifty data sets, by what does not depend on an effect?
+bool is_plain(const SelectionRules& rules, const AssessedFit& fit) {
+  return fit.p_value <= rules.smallest_adequate_p || fit.leaves_a_force(rules.least_likely_score) ||
+         fit.leaves_varying_numbers(rules.least_likely_score);
+}
+
 /// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
 /// it? A name needs a criterion that is better than that of no effect by as much as one candidate
 /// must be better than another; where none has it, what is left over is no evidence of an effect.
@@ -69,8 +90,7 @@ bool no_effect_is_worth_it(const Observations& seen, const EffectSensitivities& 
                            std::uint64_t seed) {
   const AssessedFit& baseline = selection.baseline;
   const ResidualMap map = residual_map(seen, baseline.fit, around, rules.candidate_level, seed);
-  return baseline.p_value > rules.smallest_adequate_p &&
-         !baseline.leaves_a_force(rules.smallest_adequate_p) &&
+  return !is_plain(rules, baseline) &&
          map.largest <= limit_of_estimated_noise(map.threshold, noise_freedom_at(seen, 0.0)) &&
          std::none_of(selection.tried.begin(), selection.tried.end(), [&](const AssessedFit& one) {
            return gain_over(baseline, one) > rules.close_criterion;
@@ -88,9 +108,10 @@ EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
   EffectSensitivities around(seen, selection.baseline.fit, effects);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
-  const bool is_seen_with_unseen =
-      selection.baseline.adequate && unseen.shots &&
-      leaves_a_gap_in(*unseen.with_seen, selection.baseline.fit, effects, rules, seed);
+  std::optional<AssessedFit> in_all;
+  if (selection.baseline.adequate && unseen.shots)
+    in_all = judge_in_all(*unseen.with_seen, selection.baseline.fit, effects, rules, seed);
+  const bool is_seen_with_unseen = in_all && !in_all->adequate;
   // One odd shot among repeats of that speed is no gap of the model.
   if (is_seen_with_unseen)
     selection.baseline.adequate =
@@ -110,7 +131,9 @@ EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
             judge_candidate(seen, effects, rules, seed, selection.baseline, one);
           },
           selection);
-    selection.baseline.adequate = no_effect_is_worth_it(seen, around, selection, rules, seed);
+    selection.baseline.adequate = !(in_all && is_plain(rules, *in_all)) &&
+                                  no_effect_is_worth_it(seen, around, selection, rules, seed);
+    drop_what_gains_nothing(selection, rules.close_criterion);
   }
   if (selection.baseline.adequate) {
     selection.indistinguishable.clear();

@@ -88,14 +88,14 @@ std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps) {
   return gaps.size() > 1 ? odd : std::nullopt;
 }
 
-bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
-                     const std::vector<std::string>& effects, const SelectionRules& rules,
-                     std::uint64_t seed) {
+AssessedFit judge_in_all(const Observations& all, const HypothesisFit& fit,
+                         const std::vector<std::string>& effects, const SelectionRules& rules,
+                         std::uint64_t seed) {
   AssessedFit whole = judge_by_chi_square(all, fit_further(all, fit), rules);
-  if (whole.judged) return true;
+  if (whole.judged) return whole;
   const EffectSensitivities around(all, whole.fit, effects);
   look_at_believed(all, around, rules, seed, whole);
-  return !whole.adequate;
+  return whole;
 }
 
 std::vector<std::string> faults_of_one_shot(const Observations& all, const HypothesisFit& fit,

@@ -17,12 +17,12 @@ bool is_plain_gap(double reduced_chi_square, double deviation);
 /// The one of several shots that stands apart while the others are within the noise.
 std::optional<std::size_t> odd_one_of(const std::vector<ShotGap>& gaps);
 
-/// Does a model that was fitted to some shots leave a gap in all of them? A speed that is left out
-/// of the search, to show the gap there, is a third of three: a small gap is seen with it alone.
-/// The model is fitted again, to all.
-bool leaves_a_gap_in(const Observations& all, const HypothesisFit& fit,
-                     const std::vector<std::string>& effects, const SelectionRules& rules,
-                     std::uint64_t seed);
+/// A model that was fitted to some shots, fitted again to all and judged there. A speed that is
+/// left out of the search, to show the gap there, is a third of three: a small gap is seen with it
+/// alone.
+AssessedFit judge_in_all(const Observations& all, const HypothesisFit& fit,
+                         const std::vector<std::string>& effects, const SelectionRules& rules,
+                         std::uint64_t seed);
 
 /// Faults of one shot alone that a model shows in all shots, where it agrees with those it was
 /// fitted to: by name, within `close_criterion` of the best, which noise would not give. A shot of

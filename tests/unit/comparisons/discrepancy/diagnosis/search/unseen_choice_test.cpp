@@ -109,7 +109,7 @@ TEST(UnseenChoiceTest, AGapOfTheUnseenSpeedIsAGap) {
       const Observations seen = two_speeds_of(all);
       const HypothesisFit fit = fit_hypothesis(seen, {.believed = testing::believed_law()});
       const std::vector<std::string> names = absent_effects({});
-      if (leaves_a_gap_in(all, fit, names, {}, 1)) ++(hidden ? gaps : false_gaps);
+      if (!judge_in_all(all, fit, names, {}, 1).adequate) ++(hidden ? gaps : false_gaps);
       const std::vector<std::string> faults = faults_of_one_shot(all, fit, {}, 1);
       if (std::find(faults.begin(), faults.end(), "shot-gain") != faults.end()) ++named;
       EXPECT_TRUE(hidden || faults.empty());
