@@ -18,8 +18,8 @@ namespace rebound {
 namespace {
 
 struct TrialsOptions {
-  std::vector<std::string> folders;
-  std::string table, from_table;
+  std::vector<std::string> folders, from_tables;
+  std::string table;
   std::uint64_t seed = 1;
   std::size_t count = 0;
   bool ask_fem = false;
@@ -53,10 +53,10 @@ std::string trials_help() {
 }
 
 void check_options(const TrialsOptions& options) {
-  if (options.folders.empty() == options.from_table.empty())
+  if (options.folders.empty() == options.from_tables.empty())
     throw Error(ExitCode::bad_input, "needs folders of trials, or a table of them",
-                {.key = "FOLDER", .allowed = "FOLDER ..., or --from-table FILE alone"});
-  if (!options.from_table.empty() && !options.table.empty())
+                {.key = "FOLDER", .allowed = "FOLDER ..., or --from-table FILE ..."});
+  if (!options.from_tables.empty() && !options.table.empty())
     throw Error(ExitCode::bad_input, "would write the table that it reads",
                 {.key = "--table", .value = options.table, .allowed = "without --from-table"});
   if (options.ask_fem && !has_fem_tier())
@@ -106,7 +106,7 @@ ExitCode write_scores(const Session& session, const TrialsOptions& options,
     make_writable_folder(out);
     Json stored = json;
     const std::string& input =
-        options.folders.empty() ? options.from_table : options.folders.front();
+        (options.folders.empty() ? options.from_tables : options.folders).front();
     stored["provenance"] = to_json(provenance_of(session, input, ""));
     write_file_atomically(out / "trials.json", dump(stored));
     report::write_report(trial_report(scores), out / "report.html");
@@ -128,8 +128,8 @@ ExitCode write_scores(const Session& session, const TrialsOptions& options,
 
 ExitCode run_trials_command(const Session& session, const TrialsOptions& options) {
   check_options(options);
-  if (!options.from_table.empty())
-    return write_scores(session, options, read_trial_table(options.from_table));
+  if (!options.from_tables.empty())
+    return write_scores(session, options, read_trial_tables(options.from_tables, options.mixed));
   const TrialRun run = run_of(session, options);
   const TrialProgress progress = [&] {
     ProgressLine line("trials");
@@ -146,8 +146,8 @@ Action declare_trials(CLI::App& command) {
   command.add_option("FOLDER", options->folders,
                      "Trials as the generator wrote them; several are scored together");
   command.add_option("--table", options->table, "Write all trials with their outcomes as CSV");
-  command.add_option("--from-table", options->from_table,
-                     "Score such a CSV again, without trials or truths");
+  command.add_option("--from-table", options->from_tables,
+                     "Score such CSVs again, without trials or truths; several together");
   command
       .add_option("--count", options->count,
                   "Diagnose at most so many now; the same command goes on with the rest")

@@ -4,6 +4,7 @@
 
 #include "comparisons/io/results/digest.hpp"
 #include "comparisons/io/results/provenance.hpp"
+#include "lumped/problem/error.hpp"
 
 namespace rebound {
 namespace {
@@ -56,6 +57,17 @@ std::string describe_protocol(const Json& protocol) {
                      protocol.at("version").get<std::string>(), start("rules_sha256"),
                      start("program_sha256"), protocol.at("seed").get<std::uint64_t>(),
                      protocol.value("ask_fem", false) ? ", FE asked" : "");
+}
+
+void refuse_several(const TrialProtocols& protocols, const std::string& file) {
+  if (protocols.size() < 2) return;
+  std::string list;
+  for (const auto& [digest, protocol] : protocols)
+    list += fmt::format("{}{}", list.empty() ? "" : "; ", describe_protocol(protocol));
+  throw Error(ExitCode::bad_input, "outcomes would be of more than one protocol: " + list,
+              {.file = file,
+               .key = "--mixed",
+               .allowed = "outcomes of one program and its thresholds, or --mixed"});
 }
 
 }  // namespace rebound

@@ -33,4 +33,7 @@ std::string protocol_digest(const Json& protocol);
 /// In one line: version and digests.
 std::string describe_protocol(const Json& protocol);
 
+/// Errors: Error(bad_input) at `file` where there is more than one.
+void refuse_several(const TrialProtocols& protocols, const std::string& file);
+
 }  // namespace rebound

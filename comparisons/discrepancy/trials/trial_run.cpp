@@ -118,14 +118,7 @@ TrialOutcome diagnose_trial(const TrialPlace& place, const TrialProtocol& protoc
 }
 
 void refuse_mixed(const TrialProtocols& protocols, const TrialRun& run) {
-  if (protocols.size() < 2 || run.mixed) return;
-  std::string list;
-  for (const auto& [digest, protocol] : protocols)
-    list += fmt::format("{}{}", list.empty() ? "" : "; ", describe_protocol(protocol));
-  throw Error(ExitCode::bad_input, "outcomes would be of more than one protocol: " + list,
-              {.file = run.folders.front().outcomes.string(),
-               .key = "--mixed",
-               .allowed = "outcomes of one program and its thresholds, or --mixed"});
+  if (!run.mixed) refuse_several(protocols, run.folders.front().outcomes.string());
 }
 
 /// A trial that has its outcome.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "comparisons/discrepancy/trials/table_fields.hpp"
@@ -95,6 +97,28 @@ TrialCollection read_trial_table(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Error(ExitCode::input_output_failed, "cannot be read", {.file = file.string()});
   return trial_table_of({std::istreambuf_iterator<char>(in), {}}, file.string());
+}
+
+TrialCollection read_trial_tables(const std::vector<std::string>& files, bool mixed) {
+  if (files.size() == 1) return read_trial_table(files.front());
+  TrialCollection all;
+  std::map<std::tuple<std::string, std::uint64_t, int>, std::string> seen;
+  for (const std::string& file : files) {
+    TrialCollection one = read_trial_table(file);
+    all.protocols.merge(one.protocols);
+    for (TrialRecord& record : one.records) {
+      const TrialTruth& truth = record.truth;
+      const auto [other, is_new] = seen.try_emplace({truth.set, truth.seed, truth.trial}, file);
+      if (!is_new)
+        throw Error(ExitCode::bad_input,
+                    fmt::format("trial {} of seed {} stands in {}, too", truth.trial, truth.seed,
+                                other->second),
+                    {.file = file, .key = "--from-table", .allowed = "tables of other trials"});
+      all.records.push_back(std::move(record));
+    }
+  }
+  if (!mixed) refuse_several(all.protocols, files.front());
+  return all;
 }
 
 TrialCollection trial_table_of(const std::string& text, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "comparisons/discrepancy/trials/trial_run.hpp"
 
@@ -18,6 +19,11 @@ std::string table_csv(const TrialCollection& trials);
 /// Errors: Error(input_output_failed) for a file that cannot be read; Error(corrupt_store) with
 /// line, column name and value for what table_csv() does not write.
 TrialCollection read_trial_table(const std::filesystem::path& file);
+
+/// Several tables as one.
+/// Errors: those of each; Error(bad_input) where they hold outcomes of more than one protocol and
+/// `mixed` is not said, and where a trial stands in two of them.
+TrialCollection read_trial_tables(const std::vector<std::string>& files, bool mixed);
 
 /// The same of a text; `name` stands for the file in errors.
 TrialCollection trial_table_of(const std::string& text, const std::string& name);

@@ -19,8 +19,8 @@ using testing::hidden;
 using testing::nothing_hidden;
 using testing::said;
 
-/// A null, an effect with its size, a pair, and a fault of which nothing is known.
-TrialCollection examples() {
+/// A null, an effect with its size, and a pair, diagnosed with that seed.
+TrialCollection examples(std::uint64_t seed = 3) {
   TrialTruth sized = hidden(2, "memory", "relaxation", 1234.5678901234567);
   sized.effects.front().in_registry = true;
   sized.effects.front().registry_size = 0.1 + 0.2;
@@ -39,7 +39,7 @@ TrialCollection examples() {
   open.said.candidate_families = {{"rate", "surface"}, {"rate"}};
   TrialCollection trials =
       testing::trials_of({said(1, "agrees"), named, open}, {nothing_hidden(1), sized, pair});
-  const Json protocol = to_json(protocol_of_this_program(3));
+  const Json protocol = to_json(protocol_of_this_program(seed));
   const std::string digest = protocol_digest(protocol);
   for (TrialRecord& record : trials.records) record.outcome.protocol = digest;
   trials.protocols[digest] = protocol;
@@ -127,6 +127,22 @@ TEST(TrialTableTest, AChangedTableIsRefusedWithItsLine) {
   EXPECT_EQ(refused("example,7,1,", "example,7,1").location().line, 3);
   EXPECT_EQ(testing::refusal_of([&] { read_trial_table(folder.path() / "none.csv"); }).code(),
             ExitCode::input_output_failed);
+}
+
+TEST(TrialTableTest, SeveralTablesAreScoredTogetherWhereThatIsSaid) {
+  const testing::TemporaryFolder folder;
+  TrialCollection others = examples(4);
+  for (TrialRecord& record : others.records) record.truth.seed += 1;
+  const std::vector<std::string> both = {folder.write("a.csv", table_csv(examples())).string(),
+                                         folder.write("b.csv", table_csv(others)).string()};
+  const TrialCollection together = read_trial_tables(both, true);
+  EXPECT_EQ(together.records.size(), 6u);
+  EXPECT_EQ(together.protocols.size(), 2u);
+  const Error mixed = testing::refusal_of([&] { read_trial_tables(both, false); });
+  EXPECT_EQ(mixed.location().key, "--mixed");
+  const Error twice = testing::refusal_of([&] { read_trial_tables({both[1], both[1]}, true); });
+  EXPECT_EQ(twice.code(), ExitCode::bad_input);
+  EXPECT_NE(std::string(twice.what()).find("stands in"), std::string::npos) << twice.what();
 }
 
 // The table that the README quotes: of one protocol, every trial once, and as this version reads
