@@ -100,11 +100,11 @@ void judge_formula(const SelectionRules& rules, const AssessedFit& baseline, Ass
       leaves_little(baseline, formula, most_remaining, rules.smallest_adequate_p);
 }
 
-/// `least_chance` of its score tests.
+/// `least_chance` of a force that is not there.
 bool leaves_nothing(const SelectionRules& rules, double least_chance, const AssessedFit& fit) {
   return fit.map.quiet() && fit.p_value > rules.smallest_adequate_p &&
          fit.best_remaining <= fit.remaining_threshold && !fit.leaves_a_force(least_chance) &&
-         !fit.leaves_varying_numbers(least_chance);
+         !fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has

@@ -21,8 +21,7 @@ struct SelectionRules {
   double candidate_level = 0.002;
   double close_criterion = 6.0;  ///< a rival within this information criterion is not ruled out
   double smallest_adequate_p = 1e-3;  ///< of χ²: below, a model does not explain the data
-  /// Of score tests of the believed model: below, something is missing. There are two, of two sets
-  /// of shots.
+  /// Of the believed model's test of a further force: below, something is missing.
   double least_likely_score = 3e-3;
   int fitted_singles = 10;       ///< best physical effects that are fitted in full
   int fitted_faults = 6;         ///< best faults of the measurement

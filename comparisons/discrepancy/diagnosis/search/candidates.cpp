@@ -171,4 +171,22 @@ void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
   });
 }
 
+double gain_over(const AssessedFit& none, const AssessedFit& one) {
+  const double gain = none.fit.information_criterion - one.fit.information_criterion;
+  if (!none.unseen_chi_square || !one.unseen_chi_square) return gain;
+  return gain + *none.unseen_chi_square - *one.unseen_chi_square;
+}
+
+void drop_what_gains_nothing(const std::vector<AssessedFit>& tried, const AssessedFit& none,
+                             double reach, std::vector<std::size_t>& members) {
+  const auto cost_of_numbers = [](const AssessedFit& of) {  // beyond 2 a number
+    return of.fit.information_criterion - of.fit.prediction_criterion;
+  };
+  std::erase_if(members, [&](std::size_t i) {
+    const double gain = gain_over(none, tried[i]);
+    const double by_prediction = gain + cost_of_numbers(tried[i]) - cost_of_numbers(none);
+    return std::max(gain, by_prediction) <= reach;
+  });
+}
+
 }  // namespace rebound

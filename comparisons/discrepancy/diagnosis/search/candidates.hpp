@@ -57,4 +57,14 @@ void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std:
 void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
                        std::vector<std::size_t>& members);
 
+/// By how much χ² + k ln N of `one` is better than that of `none`, the believed model alone; what
+/// the unseen speed says counts where both were asked.
+double gain_over(const AssessedFit& none, const AssessedFit& one);
+
+/// Takes out of `members` what is better than `none` by more than `reach` neither by χ² + k ln N
+/// nor by χ² + 2 k. A score test of few numbers shows gaps that leave χ² where it was; what lowers
+/// it by chance, until the test is passed, explains none of them.
+void drop_what_gains_nothing(const std::vector<AssessedFit>& tried, const AssessedFit& none,
+                             double reach, std::vector<std::size_t>& members);
+
 }  // namespace rebound

@@ -54,32 +54,10 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   if (!selection.baseline.fit.model->fem()) search.sets_of_two_forms();
 }
 
-/// By how much the criterion of `one` is better; what the unseen speed says counts where both were
-/// asked.
-double gain_over(const AssessedFit& baseline, const AssessedFit& one) {
-  const double gain = baseline.fit.information_criterion - one.fit.information_criterion;
-  if (!baseline.unseen_chi_square || !one.unseen_chi_square) return gain;
-  return gain + *baseline.unseen_chi_square - *one.unseen_chi_square;
-}
-
-/// Drops candidates that are better than no effect by neither criterion, by as much as one
-/// candidate must be better than another. A score test of few numbers shows gaps that leave χ²
-/// where it was; what lowers it by chance, until the test is passed, explains none of them.
-void drop_what_gains_nothing(EffectSelection& selection, double close_criterion) {
-  const AssessedFit& none = selection.baseline;
-  std::erase_if(selection.indistinguishable, [&](std::size_t i) {
-    const AssessedFit& one = selection.tried[i];
-    const double numbers = (one.fit.information_criterion - one.fit.prediction_criterion) -
-                           (none.fit.information_criterion - none.fit.prediction_criterion);
-    const double gain = gain_over(none, one);
-    return std::max(gain, gain + numbers) <= close_criterion;
-  });
-}
-
 /// Is a gap beyond what noise makes once in fifty data sets, by what does not depend on an effect?
 bool is_plain(const SelectionRules& rules, const AssessedFit& fit) {
   return fit.p_value <= rules.smallest_adequate_p || fit.leaves_a_force(rules.least_likely_score) ||
-         fit.leaves_varying_numbers(rules.least_likely_score);
+         fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
 /// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
@@ -133,7 +111,8 @@ EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
           selection);
     selection.baseline.adequate = !(in_all && is_plain(rules, *in_all)) &&
                                   no_effect_is_worth_it(seen, around, selection, rules, seed);
-    drop_what_gains_nothing(selection, rules.close_criterion);
+    drop_what_gains_nothing(selection.tried, selection.baseline, rules.close_criterion,
+                            selection.indistinguishable);
   }
   if (selection.baseline.adequate) {
     selection.indistinguishable.clear();

@@ -77,5 +77,19 @@ TEST(CandidatesTest, ASearchMayNotEndWithNothing) {
   EXPECT_FALSE(may_end_with({}, {}, 0));
 }
 
+// Of the first the numbers cost more than they gain by χ² + k ln N and not by χ² + 2 k; the second
+// gains nothing by either, and the third only at the unseen speed.
+TEST(CandidatesTest, WhatIsNoBetterThanNoEffectIsDropped) {
+  AssessedFit none = adequate_fit({}, 1040.0, 0);
+  none.unseen_chi_square = 100.0;
+  std::vector<AssessedFit> tried{adequate_fit({"elastic-curve"}, 1010.0, 5),
+                                 adequate_fit({"force-exponent"}, 1033.0, 1),
+                                 adequate_fit({"hysteresis"}, 1033.0, 1)};
+  tried[2].unseen_chi_square = 80.0;
+  Members members{0, 1, 2};
+  drop_what_gains_nothing(tried, none, reach, members);
+  EXPECT_EQ(members, (Members{0, 2}));
+}
+
 }  // namespace
 }  // namespace rebound

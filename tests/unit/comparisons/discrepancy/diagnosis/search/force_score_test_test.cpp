@@ -90,6 +90,26 @@ TEST(ForceScoreTest, SeesARippleThatStraightLinesDoNotFollow) {
   EXPECT_FALSE(fit.adequate);
 }
 
+// Noise could make what is left of the ripple once in a hundred data sets, and an effect that takes
+// nothing of it is adequate where nothing showed; it is none where the ripple showed the gap.
+TEST(ForceScoreTest, ACandidateThatLeavesWhatShowedTheGapIsNone) {
+  const Observations seen = observe({with_a_ripple(without_effects(7), 11.0, 16.0)});
+  AssessedFit believed = judge_believed(
+      seen, fit_hypothesis(seen, {.believed = testing::believed_law()}), absent_effects({}), {}, 1);
+  const auto judged = [&] {
+    AssessedFit candidate = judge_by_chi_square(
+        seen, fit_extended(seen, believed.fit, {{"relaxation", 0.01, {}}}, SearchEffort::whole),
+        {});
+    judge_candidate(seen, absent_effects({}), {}, 1, believed, candidate);
+    return candidate;
+  };
+  believed.further_force = believed.varying = {};
+  EXPECT_TRUE(judged().adequate);
+  EXPECT_LT(judged().further_force.p_value, 0.1);
+  believed.further_force = {.chi_square = 25.0, .freedom = 2, .p_value = 5e-4};
+  EXPECT_FALSE(judged().adequate);
+}
+
 // What an effect takes of it by chance is no explanation.
 TEST(ForceScoreTest, AWeakRippleIsUnexplained) {
   int unexplained = 0;
