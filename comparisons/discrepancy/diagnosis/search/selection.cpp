@@ -54,10 +54,11 @@ void search_effects(EffectSearch& search, const EffectSelection& selection,
   if (!selection.baseline.fit.model->fem()) search.sets_of_two_forms();
 }
 
-/// Is a gap beyond what noise makes once in fifty data sets, by what does not depend on an effect?
+/// Is a gap beyond what noise makes once in fifty data sets, whatever effects there are? Numbers
+/// that vary from shot to shot are not asked: a ball that changes and faults of one shot are
+/// effects.
 bool is_plain(const SelectionRules& rules, const AssessedFit& fit) {
-  return fit.p_value <= rules.smallest_adequate_p || fit.leaves_a_force(rules.least_likely_score) ||
-         fit.leaves_varying_numbers(rules.smallest_adequate_p);
+  return fit.p_value <= rules.smallest_adequate_p || fit.leaves_a_force(rules.least_likely_score);
 }
 
 /// Is a gap that noise could make once in fifty data sets all there is, and does no effect explain
