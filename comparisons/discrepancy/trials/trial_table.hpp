@@ -20,9 +20,10 @@ std::string table_csv(const TrialCollection& trials);
 /// line, column name and value for what table_csv() does not write.
 TrialCollection read_trial_table(const std::filesystem::path& file);
 
-/// Several tables as one.
-/// Errors: those of each; Error(bad_input) where they hold outcomes of more than one protocol and
-/// `mixed` is not said, and where a trial stands in two of them.
+/// Several tables as one; a table by itself is taken as it is, of however many protocols.
+/// Errors: those of each; Error(bad_input) where several hold outcomes of more than one protocol
+/// and `mixed` is not said, and where a trial stands in two of them -> test
+/// TrialTableTest.SeveralTablesAreScoredTogetherWhereThatIsSaid.
 TrialCollection read_trial_tables(const std::vector<std::string>& files, bool mixed);
 
 /// The same of a text; `name` stands for the file in errors.

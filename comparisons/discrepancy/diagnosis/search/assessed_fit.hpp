@@ -117,6 +117,10 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
 /// that it explains: a smooth curve through six points is no closer to what it stands for. It never
 /// carries a name. Where one more effect would bring up to a tenth of that χ², and nothing else is
 /// left, it is nearly adequate; so is a formula, which then carries no name either.
+///
+/// What leaves more than half of the excess of a score test that showed the baseline's gap, as
+/// noise does in less than a tenth, is neither. Limit:  -> test
+/// ForceScoreTest.ACandidateThatLeavesWhatShowedTheGapIsNone.
 void judge_candidate(const Observations& seen, const std::vector<std::string>& effects,
                      const SelectionRules& rules, std::uint64_t seed, const AssessedFit& baseline,
                      AssessedFit& candidate);
