@@ -7,6 +7,27 @@ bool TrialGate::passes() const {
          (most_of_upper_bound >= 1.0 || share.high() <= most_of_upper_bound);
 }
 
+namespace {
+
+bool can_be_met(TrialGate gate) {
+  for (gate.share.count = 0; gate.share.count <= gate.share.of; ++gate.share.count)
+    if (gate.passes()) return true;
+  return false;
+}
+
+bool is_clearly_off(const TrialGate& gate) {
+  return gate.share.low() > gate.most || gate.share.high() < gate.least;
+}
+
+}  // namespace
+
+GateAnswer TrialGate::answer() const {
+  if (!is_asked()) return GateAnswer::not_asked;
+  if (share.of == 0) return GateAnswer::no_trial;
+  if (passes()) return GateAnswer::met;
+  return can_be_met(*this) || is_clearly_off(*this) ? GateAnswer::missed : GateAnswer::too_few;
+}
+
 std::vector<TrialGate> gates_of(const TrialCounts& c) {
   return {
       {.what = "false alarms on nulls",

@@ -8,6 +8,15 @@
 /// What is asked of a diagnosis over many trials.
 namespace rebound {
 
+/// What so many trials say of a gate.
+enum class GateAnswer {
+  not_asked,  ///< the share is there to be read
+  no_trial,
+  too_few,  ///< no count of so many trials would meet it, and the share is not clearly off it
+  met,
+  missed
+};
+
 /// A share and what is asked of it.
 struct TrialGate {
   std::string what;
@@ -18,6 +27,12 @@ struct TrialGate {
   /// Is anything asked of it, or is it there to be read?
   bool is_asked() const { return least > 0.0 || most < 1.0 || most_of_upper_bound < 1.0; }
   bool passes() const;
+
+  /// Three trials cannot lie between 90 and 98 %, nor can no alarm of 29 nulls be below 7.5 % with
+  /// its upper bound: that is no miss, unless the whole interval of the share is off what is asked.
+  ///
+  /// Limit: with trials enough it is met or missed -> test TrialGatesTest.TooFewTrials.
+  GateAnswer answer() const;
 };
 
 /// The shares behind the gates.

@@ -15,9 +15,14 @@ using report::text_cell;
 
 report::TableCell met_cell(const TrialGate& gate) {
   using Verdict = report::TableCell::Verdict;
-  if (!gate.is_asked()) return text_cell("–");
-  if (gate.share.of == 0) return text_cell("no such trial", Verdict::doubtful);
-  return gate.passes() ? text_cell("yes", Verdict::good) : text_cell("no", Verdict::bad);
+  switch (gate.answer()) {
+    case GateAnswer::not_asked: return text_cell("–");
+    case GateAnswer::no_trial: return text_cell("no such trial", Verdict::doubtful);
+    case GateAnswer::too_few: return text_cell("too few trials", Verdict::doubtful);
+    case GateAnswer::met: return text_cell("yes", Verdict::good);
+    case GateAnswer::missed: return text_cell("no", Verdict::bad);
+  }
+  return text_cell("–");
 }
 
 report::Table gate_table(const TrialScores& scores) {
@@ -160,16 +165,17 @@ std::string subtitle_of(const TrialScores& scores) {
 }
 
 std::string headline_of(const TrialScores& scores) {
-  int met = 0, judged = 0, without = 0;
-  for (const TrialGate& gate : scores.gates) {
-    if (!gate.is_asked()) continue;
-    ++(gate.share.of > 0 ? judged : without);
-    if (gate.passes()) ++met;
-  }
-  const std::string text = fmt::format("{} of {} gates are met", met, judged);
-  return without == 0 ? text + "."
-                      : fmt::format("{}; for {} there {} no trial.", text, without,
-                                    without == 1 ? "is" : "are");
+  const auto gates_with = [&](GateAnswer answer) {
+    return std::count_if(scores.gates.begin(), scores.gates.end(),
+                         [&](const TrialGate& gate) { return gate.answer() == answer; });
+  };
+  const auto met = gates_with(GateAnswer::met), missed = gates_with(GateAnswer::missed),
+             without = gates_with(GateAnswer::no_trial), few = gates_with(GateAnswer::too_few);
+  std::string text = fmt::format("{} of {} gates are met", met, met + missed);
+  if (without > 0)
+    text += fmt::format("; for {} there {} no trial", without, without == 1 ? "is" : "are");
+  if (few > 0) text += fmt::format("; for {} there are too few trials", few);
+  return text + ".";
 }
 
 }  // namespace

@@ -15,13 +15,18 @@ Json shares_json(const std::map<std::string, Share>& shares) {
   return json;
 }
 
+Json met_json(GateAnswer answer) {
+  if (answer == GateAnswer::met) return true;
+  return answer == GateAnswer::missed ? Json(false) : Json(nullptr);
+}
+
 Json gates_json(const std::vector<TrialGate>& gates) {
   Json json = Json::array();
   for (const TrialGate& gate : gates) {
     Json one = share_json(gate.share);
     one["what"] = gate.what;
     one["asked"] = asked_text(gate);
-    one["met"] = gate.is_asked() && gate.share.of > 0 ? Json(gate.passes()) : Json(nullptr);
+    one["met"] = met_json(gate.answer());
     json.push_back(std::move(one));
   }
   return json;
@@ -48,13 +53,22 @@ Json rates_json(const std::vector<RateTable>& tables) {
   return json;
 }
 
+const char* met_text(GateAnswer answer) {
+  switch (answer) {
+    case GateAnswer::not_asked: return "";
+    case GateAnswer::no_trial: return "  no such trial";
+    case GateAnswer::too_few: return "  too few trials";
+    case GateAnswer::met: return "  met";
+    case GateAnswer::missed: return "  NOT MET";
+  }
+  return "";
+}
+
 std::string gate_lines(const TrialScores& scores) {
   std::string text;
-  for (const TrialGate& gate : scores.gates) {
-    const char* met = !gate.is_asked() ? "" : (gate.passes() ? "  met" : "  NOT MET");
+  for (const TrialGate& gate : scores.gates)
     text += fmt::format("{:<52}{:<36}{}{}\n", gate.what, share_text(gate.share), asked_text(gate),
-                        gate.is_asked() && gate.share.of == 0 ? "  no such trial" : met);
-  }
+                        met_text(gate.answer()));
   return text;
 }
 

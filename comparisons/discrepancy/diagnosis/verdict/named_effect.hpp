@@ -29,8 +29,14 @@ struct NamedEffect {
   std::string weak;
 };
 
-/// Effect k of a fit with its numbers. Where the linearised interval of its size says nothing, as
-/// for two numbers that trade against each other, it is the likelihood-ratio one.
+/// Effect k of a fit with its numbers.
+///
+/// The interval of a size is the likelihood-ratio one, 2 ΔC = 3.84 at its ends with all other
+/// numbers searched again: the linearised one is too narrow where two numbers trade against each
+/// other, as mass and stiffness of a plate do. It is linearised for a free form, which has a band,
+/// and in finite elements where that leaves out "no effect".
+///
+/// Limit: the cost at both ends -> test NamedEffectTest.SizeHasItsLikelihoodRatioInterval.
 NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
 /// All effects of a fit beyond the first `known`.
 std::vector<NamedEffect> named_effects(const HypothesisFit& fit, std::size_t known);

@@ -33,19 +33,6 @@ TEST(TrialScoreTest, WilsonInterval) {
   EXPECT_EQ(Share{}.high(), 1.0);
 }
 
-// Few trials with few alarms are no proof: 2 of 50 lie within the share that is allowed, and up to
-// 13 % would not be strange.
-TEST(TrialScoreTest, AGateAsksForItsUpperBoundToo) {
-  const auto alarms = [](int count, int of) {
-    TrialCounts counts;
-    counts.false_alarm = {.count = count, .of = of};
-    return gate(gates_of(counts), "false alarms on nulls");
-  };
-  EXPECT_FALSE(alarms(2, 50).passes());
-  EXPECT_TRUE(alarms(20, 500).passes());
-  EXPECT_FALSE(alarms(26, 500).passes());
-}
-
 TEST(TrialScoreTest, AFalseAlarmIsAGapSaidOfANull) {
   TrialTruth misstated = nothing_hidden(4);
   misstated.noise_stated = "twice";
