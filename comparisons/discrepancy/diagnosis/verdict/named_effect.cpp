@@ -85,8 +85,10 @@ NumberWithInterval measure_size(const HypothesisFit& fit, std::size_t k, std::si
       with_interval(fit, fit.model->unknowns_of_effect(k)[place], card.name, logarithmic);
   if (card.is_free_form) return size;  // its curve has a band
   weak = number_at_bound(fit, k);
-  // Of balls that obey a law every size has its profile; one in finite elements takes minutes.
-  if (fit.model->fem() && is_well_determined(fit, k, size, place)) return size;
+  // In finite elements a profile takes minutes. Beside a force that jumps at first touch it is too
+  // narrow: a search ends wherever a sample more would have to be met by the jump.
+  const bool linearised = fit.model->fem() || card.jumps_at_touch;
+  if (linearised && is_well_determined(fit, k, size, place)) return size;
   const ProfileInterval profile = profile_of_size(fit, k, place);
   size.low = logarithmic ? std::exp(profile.low) : profile.low;
   size.high = logarithmic ? std::exp(profile.high) : profile.high;
