@@ -158,7 +158,7 @@ Action declare_trials(CLI::App& command) {
                    "a part of the protocol");
   command.add_flag("--mixed", options->mixed,
                    "Take outcomes of several thresholds or programs together, and say so");
-  command.add_flag("--fail-on-miss", options->fail_on_miss, "Exit 1 when a gate is missed");
+  command.add_flag("--fail-on-miss", options->fail_on_miss, "Exit 1 when a gate is not met");
   command.footer(trials_help);
   return [options](const Session& session) { return run_trials_command(session, *options); };
 }

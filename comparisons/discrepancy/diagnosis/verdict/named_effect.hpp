@@ -32,9 +32,10 @@ struct NamedEffect {
 /// Effect k of a fit with its numbers.
 ///
 /// The interval of a size is the likelihood-ratio one, 2 ΔC = 3.84 at its ends with all other
-/// numbers searched again: the linearised one is too narrow where two numbers trade against each
-/// other, as mass and stiffness of a plate do. It is linearised for a free form, which has a band,
-/// and, where that leaves out "no effect", in finite elements and for a force that jumps at touch.
+/// numbers searched again, or a bound of the search where no such end is: the linearised one is too
+/// narrow where two numbers trade against each other, as mass and stiffness of a plate do. It is
+/// linearised for a free form, which has a band, and, where that leaves out "no effect", in finite
+/// elements and for a force that jumps at touch.
 ///
 /// Limit: the cost at both ends -> test NamedEffectTest.SizeHasItsLikelihoodRatioInterval.
 NamedEffect named_effect(const HypothesisFit& fit, std::size_t k);
