@@ -125,7 +125,13 @@ double ElasticForce::acting(const ContactPhase& phase, double x) const {
   if (phase.kind == ContactPhase::Kind::loading) return elastic_force(x);
   const double remaining = remaining_deflection(memory_, x, phase.largest);
   if (remaining < 0.0 && memory_.permanent_set > 0.0) return 0.0;
-  return elastic_force(remaining) * hysteresis_factor(memory_, remaining, phase.largest);
+  return unloading_force(remaining, phase.largest);
+}
+
+double ElasticForce::unloading_force(double remaining, double largest) const {
+  const double force = elastic_force(remaining) * hysteresis_factor(memory_, remaining, largest);
+  if (memory_.curve.end == 0.0) return force;
+  return force + elastic_force(largest) * unloading_share_of_force(memory_, remaining, largest);
 }
 
 double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
@@ -140,7 +146,7 @@ double ElasticForce::unloading_integral(double remaining, double largest) const 
   const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
   if (!memory_.weakens()) return share * elastic_energy(remaining);
   const auto force = [&](double at) {
-    return elastic_force(at) * hysteresis_factor(memory_, at, largest);
+    return unloading_force(at, largest);
   };
   return share * (memory_.curve.end == 0.0
                       ? integral_to(std::abs(remaining), corners_of(factors_, radius_), force)

@@ -38,6 +38,7 @@ class ElasticForce {
   double lost_energy(const ContactPhase& phase, double x) const;
 
  private:
+  double unloading_force(double remaining, double largest) const;
   double unloading_integral(double remaining, double largest) const;
 
   AnyLaw law_;

@@ -8,17 +8,18 @@
 
 /// Elastic force below the largest deflection so far, x_max.
 ///
-///   F = F_e(η) [1 − h (1 − η/x_max)] · ⟨1 + (x_max/x_q)^q g(u)⟩,   η = ⟨(x − p x_max)/(1 − p)⟩
+///   F = F_e(η) [1 − h (1 − η/x_max)] + F_e(x_max) (x_max/x_q)^q g(u),   η = ⟨(x − p x_max)/(1 − p)⟩
 ///   u = 1 − √(1 − η/x_max)
 ///
 ///   p   permanent set: residual over largest deflection [-]
 ///   h   hysteresis: share of the force lost at η → 0    [-]
-///   g   curve, and how it grows with the largest deflection: q = 0 is the same loop at every
-///   speed,
-///       q > 0 the loop of a body that yields [-]
+///   g   curve, as a share of the force at the largest deflection, and how it grows with that:
+///       q = 0 is the same loop at every speed, q > 0 the loop of a body that yields [-]
 ///
 /// Points that are even in u stand close where unloading begins, which is where measured loops turn
-/// fastest; in time u is smooth there, since x_max − x grows as t².
+/// fastest; in time u is smooth there, since x_max − x grows as t². A share of the largest force
+/// stays smooth where unloading ends, too: as a factor on F_e(η), what ends early runs to minus one
+/// within the last hundredth of the deflection, where no points are.
 ///
 /// At x = x_max the force is F_e(x_max): loading is the law's own, unloading
 /// and reloading run on this curve until x passes x_max. For F_e = κ xⁿ and
@@ -49,17 +50,22 @@ inline double unloading_share(double place) {
   return 1.0 - (1.0 - place) * (1.0 - place);
 }
 
-/// Factor on the elastic force at the remaining deflection η; even in η, as laws
-/// are continued oddly below zero.
+/// Factor of hysteresis on the elastic force at the remaining deflection η; even in η, as laws are
+/// continued oddly below zero.
 inline double hysteresis_factor(const UnloadingMemory& memory, double remaining, double largest) {
-  if (!memory.weakens() || largest <= 0.0) return 1.0;
-  const double share = std::abs(remaining) / largest;
-  const double line = 1.0 - memory.hysteresis * (1.0 - share);
-  if (memory.curve.end == 0.0) return line;
+  if (memory.hysteresis == 0.0 || largest <= 0.0) return 1.0;
+  return 1.0 - memory.hysteresis * (1.0 - std::abs(remaining) / largest);
+}
+
+/// Share of the force at the largest deflection that the curve adds at η; its first point below
+/// zero.
+inline double unloading_share_of_force(const UnloadingMemory& memory, double remaining,
+                                       double largest) {
+  if (memory.curve.end == 0.0 || largest <= 0.0) return 0.0;
   const double growth = memory.curve_growth == 0.0
                             ? 1.0
                             : std::pow(largest / memory.growth_deflection, memory.curve_growth);
-  return line * std::max(0.0, 1.0 + growth * curve_value(memory.curve, unloading_place(share)));
+  return growth * curve_value(memory.curve, unloading_place(std::max(0.0, remaining) / largest));
 }
 
 }  // namespace rebound

@@ -22,8 +22,7 @@ CalibrationParameter logarithm_of_size(const EffectCard& card, double start) {
 CalibrationParameter size_of(const EffectCard& card, double start, bool of_fem) {
   const Range& range = card.range_of_size(of_fem);
   if (has_logarithmic_size(card)) return logarithm_of_size(card, start);
-  // A plate or a branch next to nothing is stiff and cannot be told from
-  // nothing: searches keep off a one-sided null.
+  // At nothing the other numbers of an effect say nothing: searches keep off a one-sided null.
   const double least = card.null <= range.lowest
                            ? card.null + share_next_to_null(card) * card.prior_scale
                            : range.lowest;

@@ -45,8 +45,7 @@ std::string size_unit(const EffectCard& card);
 const std::vector<Effect>& all_effects();
 
 /// How near searches come to a one-sided null, as a share of the prior scale, or of where a
-/// logarithmic size starts: nearer where a number of the effect's shape decides what its size is
-/// the size of.
+/// logarithmic size starts.
 double share_next_to_null(const EffectCard& card);
 
 /// The effect that a free form is another law of; any other name as it is.

@@ -93,6 +93,8 @@ struct CurveCard {
   std::vector<Point> points{};
   bool level_is_the_laws =
       false;  ///< a number of the law takes the level: the shape is what is found
+  bool is_even = false;          ///< points are evenly spaced in what the curve is smooth over
+  bool ends_at_nothing = false;  ///< one point more, at which it is held at zero
 };
 
 /// Signs of what an effect of its prior scale does to an FE impact at 15 m/s: 1 up, −1 down,

@@ -123,11 +123,8 @@ bool is_unknown(const EffectParameterCard& parameter, bool of_fem, const EffectC
 }
 
 double share_next_to_null(const EffectCard& card) {
-  constexpr double usual = 0.01, of_a_shape = 1e-4;
-  const bool has_shape =
-      std::any_of(card.parameters.begin(), card.parameters.end(),
-                  [](const EffectParameterCard& one) { return one.is_left_open; });
-  return has_shape ? of_a_shape : usual;
+  constexpr double of_a_logarithm = 0.01, usual = 1e-4;
+  return has_logarithmic_size(card) ? of_a_logarithm : usual;
 }
 
 std::string effect_behind(const std::string& name) {

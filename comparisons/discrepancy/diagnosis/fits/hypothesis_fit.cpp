@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/fits/curve_numbers.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/joint_search.hpp"
 #include "comparisons/discrepancy/diagnosis/fits/white_noise_search.hpp"
 #include "comparisons/inference/calibration/autocorrelation.hpp"
@@ -31,21 +32,14 @@ double independent_data(const Observations& seen, const JointModel& model) {
   return std::max(2.0, count);
 }
 
-/// Numbers that effect k costs: those that are fitted, and each choice that a search has made for
-/// it. To choose a switch, or one of the shots, is a choice.
-double numbers_of(const HypothesisFit& fit, std::size_t k) {
-  const EffectCard& card = find_effect(fit.effects[k].name).card;
-  double numbers = 0.0;
-  for (const EffectParameterCard& one : card.parameters)
-    if (one.kind == ParameterKind::shot) numbers += 1.0;
-  for (const std::size_t unknown : fit.model->unknowns_of_effect(k)) {
-    const auto& prior = fit.model->unknowns()[unknown].prior;
-    const double error = fit.search.estimates[unknown].standard_error;
-    numbers += prior && std::isfinite(error)
-                   ? 1.0 - std::min(1.0, std::pow(error / prior->deviation, 2))
-                   : 1.0;
-  }
-  return std::max(1.0, numbers);
+/// What effect k costs: numbers that are fitted, and each choice that a search has made for it. To
+/// choose a switch, or one of the shots, is a choice.
+CostOfNumbers cost_of(const HypothesisFit& fit, std::size_t k, double each) {
+  CostOfNumbers cost = cost_of_numbers(fit, k, each);
+  for (const EffectParameterCard& one : find_effect(fit.effects[k].name).card.parameters)
+    if (one.kind == ParameterKind::shot) cost.numbers += 1.0;
+  cost.numbers = std::max(1.0, cost.numbers);
+  return cost;
 }
 
 /// Numbers of an effect that a search picked from a grid: frequencies, and those of its shape that
@@ -63,16 +57,18 @@ int picked_numbers(const EffectChoice& effect, bool of_fem) {
 
 /// χ² + k ln N and χ² + 2 k.
 void count_numbers(const Observations& seen, HypothesisFit& fit) {
+  constexpr double each_of_prediction = 2.0;
   const double each = std::log(independent_data(seen, *fit.model));
   fit.effect_unknowns = 0.0;
-  int picked = 0;
+  fit.information_criterion = fit.prediction_criterion = fit.chi_square;
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
-    fit.effect_unknowns += numbers_of(fit, k);
-    picked += picked_numbers(fit.effects[k], fit.model->fem() != nullptr);
+    const CostOfNumbers cost = cost_of(fit, k, each);
+    fit.effect_unknowns += cost.numbers;
+    fit.information_criterion += cost.with(each);
+    const int picked = picked_numbers(fit.effects[k], fit.model->fem() != nullptr);
+    fit.prediction_criterion += cost_of(fit, k, each_of_prediction).with(each_of_prediction) +
+                                picked * std::max(0.0, each - each_of_prediction);
   }
-  fit.information_criterion = fit.chi_square + fit.effect_unknowns * each;
-  fit.prediction_criterion =
-      fit.chi_square + 2.0 * fit.effect_unknowns + picked * std::max(0.0, each - 2.0);
 }
 
 /// Does a search leave no more than noise, so that there is nothing for another to find?

@@ -64,7 +64,7 @@ bool leaves_what_showed(const SelectionRules& rules, const ScoreTest& before,
 /// Of the map, how far above its threshold what is nearly adequate may be.
 constexpr double above_threshold = 1.2;
 
-/// Loading and unloading, each by a curve of its own: fourteen numbers.
+/// Loading and unloading, each by a curve of its own: thirteen numbers.
 bool has_many_numbers(const HypothesisFit& fit) {
   return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
     return find_effect(one.name).card.after_single_effects;

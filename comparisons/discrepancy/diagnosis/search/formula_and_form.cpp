@@ -8,7 +8,7 @@
 namespace rebound {
 namespace {
 
-/// With another beside it, a form of fourteen numbers bends to anything.
+/// With another beside it, a form of thirteen numbers bends to anything.
 bool is_free_form_of_few(const EffectChoice& effect) {
   const EffectCard& card = find_effect(effect.name).card;
   return card.is_free_form && !card.after_single_effects;

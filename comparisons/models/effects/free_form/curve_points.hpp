@@ -38,7 +38,7 @@ inline std::vector<EffectParameterCard> curve_points(const std::string& prefix, 
 /// What stands in a card of such a curve over `of`; the point `size_at` is the size of the effect.
 inline CurveCard curve_card(const std::string& of, const std::string& reach,
                             const std::string& prefix, std::size_t size_at = FactorCurve::points) {
-  CurveCard card{.of = of, .reach = reach, .level_is_the_laws = true};
+  CurveCard card{.of = of, .reach = reach, .level_is_the_laws = true, .is_even = true};
   for (std::size_t k = 0; k < FactorCurve::points; ++k)
     card.points.push_back({k == size_at ? "" : prefix + "_" + std::to_string(k),
                            static_cast<double>(k) / static_cast<double>(FactorCurve::points - 1)});

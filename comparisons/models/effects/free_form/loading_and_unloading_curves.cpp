@@ -30,20 +30,20 @@ Effect loading_and_unloading_curves_effect() {
       .kind = EffectKind::dissipative,
       .family = EffectFamily::history,
       .sentence =
-          "A body that yields: elastic force times a curve on the way in, and another "
+          "A body that yields: elastic force times a curve on the way in, and a further curve "
           "on the way back: the history family where loading is not the law's.",
       .equation =
-          "on the way in F_e [1 + l(x/R)], on the way back that of the deflection left "
-          "times the curve of unloading-curve; the size is -g at 2/5",
+          "F_e [1 + l(x/R)], on the way back with the curve of unloading-curve beside it; the size "
+          "is -g at 2/5",
       .size_dimension = dimension::none,
-      .range = from_to(0.0, 0.95),
-      .prior_scale = 0.3,
+      .range = range_of_unloading(),
+      .prior_scale = usual_unloading,
       .parameters = unloading_numbers(),
       .signature =
           "Loading bends where the body yields; unloading is steeper and ends early, more "
           "so at higher speeds.",
       .experiment = "A dent that stays; slow cycles to growing deflections.",
-      .source = "piecewise cubic factors; Thornton 1997, Walton & Braun 1986 for the kind",
+      .source = "piecewise cubic curves; Thornton 1997, Walton & Braun 1986 for the kind",
       .is_free_form = true,
       .after_single_effects = true,
       .curves = {curve_card("deflection_over_radius", "deflection_reach", "load"),

@@ -29,6 +29,24 @@ TEST(EffectUnknownsTest, TheSizeOfAPlateIsALogarithm) {
   EXPECT_NEAR(plate.at({std::log(3e-8), 0.0, -3.0})[0].size, 3e-8, 1e-20);
 }
 
+// Thirty shots tell a loop of a five-hundredth. A search that kept off nothing by a hundredth of
+// what is usual began, and ended, at more than was there.
+TEST(EffectUnknownsTest, ASmallSizeIsWithinReach) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns loop({{"hysteresis", 0.0, {}}}, false, unknowns);
+  EXPECT_GT(unknowns[0].lowest, 0.0);
+  EXPECT_LT(unknowns[0].lowest, 5e-5);
+  EXPECT_EQ(unknowns[0].start, unknowns[0].lowest);
+}
+
+// What unloading without a formula takes at one place it may give at another.
+TEST(EffectUnknownsTest, AFreeFormHasNoSideOfNothing) {
+  std::vector<CalibrationParameter> unknowns;
+  const EffectUnknowns curve({{"unloading-curve", 0.0, {}}}, false, unknowns);
+  EXPECT_LT(unknowns[0].lowest, -0.1);
+  EXPECT_EQ(unknowns[0].start, 0.0);
+}
+
 TEST(EffectUnknownsTest, AShotIsNoUnknown) {
   std::vector<CalibrationParameter> unknowns;
   const EffectUnknowns gain({{"shot-gain", 0.1, {{"shot", 2.0}}}}, false, unknowns);

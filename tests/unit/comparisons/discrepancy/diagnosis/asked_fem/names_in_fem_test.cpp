@@ -6,11 +6,11 @@
 namespace rebound {
 namespace {
 
-/// A curve with a dent once ended a whole diagnosis as bad input.
+/// A curve with such a number once ended a whole diagnosis as bad input.
 TEST(NamesInFemTest, ANumberThatFeDoesNotHaveIsNoFormThere) {
   EffectChoice curve{.name = "unloading-curve", .size = 0.1, .parameters = {}};
   EXPECT_TRUE(fem_can_state(curve));
-  curve.parameters["set"] = 0.05;
+  curve.parameters["growth"] = 0.05;
   EXPECT_FALSE(fem_can_state(curve));
 }
 

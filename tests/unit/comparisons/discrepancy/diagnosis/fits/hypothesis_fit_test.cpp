@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/discrepancy/diagnosis/observations/observe.hpp"
+#include "lumped/mechanisms/unloading_memory.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/fits/smooth_noise.hpp"
 #include "tests/unit/comparisons/discrepancy/diagnosis/hidden_cases.hpp"
 
@@ -35,6 +36,47 @@ TEST(HypothesisFitTest, AFrequencyThatWasPickedFromManyCostsMore) {
 TEST(HypothesisFitTest, AShapeThatIsNotTheFormulasOwnCostsAsMuch) {
   EXPECT_NEAR(picked_by_search({"strain-stiffening", 0.3, {}}), 0.0, 1e-9);
   EXPECT_NEAR(picked_by_search({"strain-stiffening", 0.3, {{"power", 2.0}}}), 1.0, 1e-9);
+}
+
+HypothesisFit fit_of(const EffectChoice& effect, const std::vector<EffectChoice>& hidden) {
+  const SynthesisFile file = testing::experiment_with(hidden, 1);
+  const Observations seen = observe({synthesize(file, simulator_of(file, {})).dataset});
+  return fit_hypothesis(
+      seen,
+      {.believed = testing::believed_law(), .effects = {effect}, .model_discrepancy = nullptr});
+}
+
+/// Unloading of Walton and Braun, (1 + s) F_e(x) − s F_e(x_max), by its points.
+EffectChoice stiff_unloading(double s) {
+  const auto point = [s](int k) {
+    return -s * (1.0 - std::pow(unloading_share(0.2 * static_cast<double>(k)), 1.5));
+  };
+  return {"unloading-curve",
+          -point(2),
+          {{"at_0", point(0)}, {"at_1", point(1)}, {"at_3", point(3)}, {"at_4", point(4)}}};
+}
+
+// A bow is few numbers, and no memory passes for it with fewer: as six numbers it was behind.
+TEST(HypothesisFitTest, AStiffUnloadingCostsLessThanItsPoints) {
+  const EffectChoice hidden = stiff_unloading(0.06);
+  const HypothesisFit curve = fit_of({"unloading-curve", 0.0, {}}, {hidden});
+  EXPECT_LT(curve.effect_unknowns, 4.5);
+  EXPECT_GE(curve.effect_unknowns, 1.0);
+  EXPECT_LT(curve.reduced_chi_square(), 1.2);
+  const HypothesisFit memory = fit_of({"relaxation", 0.1, {}}, {hidden});
+  EXPECT_LT(curve.information_criterion, memory.information_criterion);
+}
+
+// A spectrum whose fast and slow times carry nothing is one time, and the power of its spring.
+TEST(HypothesisFitTest, AShareThatDataHoldAtNoneIsNoNumber) {
+  const EffectChoice hidden{"relaxation", 0.3, {{"relaxation_time", 5e-4}}};
+  const HypothesisFit one = fit_of(
+      {"relaxation-spectrum", 0.3, {{"relaxation_time", 5e-4}, {"fast_ratio", 0.0}}}, {hidden});
+  const EffectChoice& found = one.effects.back();
+  const int held =
+      (found.parameters.at("fast_ratio") == 0.0) + (found.parameters.at("slow_ratio") == 0.0);
+  EXPECT_GE(held, 1);
+  EXPECT_LE(one.effect_unknowns, 5.0 - held);
 }
 
 TEST(HypothesisFitTest, AFormulaOfOneSizeCostsTwo) {
