@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 
 namespace rebound {
 namespace {
@@ -23,9 +22,9 @@ Eigen::MatrixXd roughness_of(Eigen::Index points, bool ends_at_zero) {
 }
 
 /// Points that data tell apart, all as well.
-FittedNumbers curve(Eigen::VectorXd value, bool ends_at_zero = false) {
+FittedNumbers curve(const Eigen::VectorXd& value, bool ends_at_zero = false) {
   const Eigen::Index points = value.size();
-  return {.value = std::move(value),
+  return {.value = value,
           .covariance = Eigen::MatrixXd::Identity(points, points) * error * error,
           .prior = Eigen::VectorXd::Zero(points),
           .roughness = {roughness_of(points, ends_at_zero)}};
@@ -33,6 +32,11 @@ FittedNumbers curve(Eigen::VectorXd value, bool ends_at_zero = false) {
 
 Eigen::VectorXd line() {
   return Eigen::VectorXd::LinSpaced(6, 0.1, 0.6);
+}
+
+const Eigen::VectorXd& rough() {
+  static const Eigen::VectorXd value{{0.2, -0.3, 0.4, -0.1, 0.3, -0.2}};
+  return value;
 }
 
 TEST(SmoothedNumbersTest, ALineIsTwoNumbers) {
@@ -49,9 +53,7 @@ TEST(SmoothedNumbersTest, ALineThatEndsAtNothingIsOne) {
 }
 
 TEST(SmoothedNumbersTest, WhatIsRoughStaysSo) {
-  Eigen::VectorXd value(6);
-  value << 0.2, -0.3, 0.4, -0.1, 0.3, -0.2;
-  const CostOfNumbers cost = smoothest(curve(value), each);
+  const CostOfNumbers cost = smoothest(curve(rough()), each);
   EXPECT_NEAR(cost.numbers, 6.0, 0.1);
   EXPECT_LT(cost.lost_chi_square, 0.1);
 }
@@ -76,7 +78,7 @@ TEST(SmoothedNumbersTest, APriorTakesItsShare) {
 
 TEST(SmoothedNumbersTest, TwoCurvesAreAsSmoothAsEachIs) {
   Eigen::VectorXd value(12);
-  value << line(), 0.2, -0.3, 0.4, -0.1, 0.3, -0.2;
+  value << line(), rough();
   FittedNumbers both = curve(value);
   const Eigen::MatrixXd one = roughness_of(6, false);
   both.roughness = {Eigen::MatrixXd::Zero(12, 12), Eigen::MatrixXd::Zero(12, 12)};
