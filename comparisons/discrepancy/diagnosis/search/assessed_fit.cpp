@@ -64,13 +64,6 @@ bool leaves_what_showed(const SelectionRules& rules, const ScoreTest& before,
 /// Of the map, how far above its threshold what is nearly adequate may be.
 constexpr double above_threshold = 1.2;
 
-/// Loading and unloading, each by a curve of its own: thirteen numbers.
-bool has_many_numbers(const HypothesisFit& fit) {
-  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
-    return find_effect(one.name).card.after_single_effects;
-  });
-}
-
 /// A curve through a few points is judged by what it leaves of the residuals of the baseline. What
 /// has many numbers and leaves a tenth is not nearly right.
 void judge_curve(const SelectionRules& rules, const AssessedFit& baseline, AssessedFit& curve) {
@@ -107,6 +100,14 @@ bool leaves_nothing(const SelectionRules& rules, double least_chance, const Asse
          !fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
+/// Free forms among the effects beyond the first `known`. Two of them bend to nearly anything: they
+/// are allowed nothing of what is left.
+std::ptrdiff_t curves_beyond(const HypothesisFit& fit, std::size_t known) {
+  return std::count_if(
+      fit.effects.begin() + static_cast<std::ptrdiff_t>(known), fit.effects.end(),
+      [](const EffectChoice& one) { return find_effect(one.name).card.is_free_form; });
+}
+
 /// What an effect that jumps at first touch brings, fitted in full from where the first order has
 /// it, at each of the numbers it was tried at.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
@@ -134,6 +135,12 @@ double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
 }
 
 }  // namespace
+
+bool has_many_numbers(const HypothesisFit& fit) {
+  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
+    return find_effect(one.name).card.after_single_effects;
+  });
+}
 
 bool has_curve(const HypothesisFit& fit) {
   return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
@@ -220,7 +227,7 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
     candidate.adequate = false;
     return;
   }
-  if (candidate.adequate) return;
+  if (candidate.adequate || curves_beyond(candidate.fit, baseline.fit.effects.size()) > 1) return;
   if (has_curve(candidate.fit))
     judge_curve(rules, baseline, candidate);
   else

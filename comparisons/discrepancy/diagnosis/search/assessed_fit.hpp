@@ -70,6 +70,9 @@ struct AssessedFit {
 /// Is one of its effects a free form?
 bool has_curve(const HypothesisFit& fit);
 
+/// Is one of them loading and unloading, each by a curve of its own?
+bool has_many_numbers(const HypothesisFit& fit);
+
 /// Those of `effects` that are not present.
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
                                      const std::vector<std::string>& effects);

@@ -161,6 +161,17 @@ void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std:
   });
 }
 
+void drop_many_numbers_behind_fewer(const std::vector<AssessedFit>& tried, double reach,
+                                    double smallest_p, std::vector<std::size_t>& members) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const AssessedFit& one : tried)
+    if (one.p_value > smallest_p && !has_many_numbers(one.fit))
+      best = std::min(best, one.information_criterion());
+  std::erase_if(members, [&](std::size_t i) {
+    return has_many_numbers(tried[i].fit) && best < tried[i].information_criterion() - reach;
+  });
+}
+
 void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,
                        std::vector<std::size_t>& members) {
   Criteria best;

@@ -52,6 +52,11 @@ void deny_other_families_than_leader(const std::vector<AssessedFit>& tried, std:
                                      double reach, double smallest_p,
                                      std::vector<std::size_t>& members);
 
+/// Takes a form of many numbers out of `members` where a fit of fewer is beyond reach of it, to the
+/// better, by χ² + k ln N, and leaves a χ² that noise could make: it bends to what that leaves.
+void drop_many_numbers_behind_fewer(const std::vector<AssessedFit>& tried, double reach,
+                                    double smallest_p, std::vector<std::size_t>& members);
+
 /// Takes out of `members`, indices into `tried`, what is beyond reach of the best of them once the
 /// unseen speed counts; the best by χ² + k ln N comes first.
 void keep_within_reach(const std::vector<AssessedFit>& tried, double reach,

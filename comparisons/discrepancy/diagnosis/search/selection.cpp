@@ -103,6 +103,8 @@ EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
                            selection.indistinguishable);
     deny_other_families_than_leader(selection.tried, known, rules.close_criterion,
                                     rules.smallest_adequate_p, selection.indistinguishable);
+    drop_many_numbers_behind_fewer(selection.tried, rules.close_criterion,
+                                   rules.smallest_adequate_p, selection.indistinguishable);
     if (unseen.shots && !selection.indistinguishable.empty())
       choose_with_unseen_speed(
           *unseen.shots, rules,

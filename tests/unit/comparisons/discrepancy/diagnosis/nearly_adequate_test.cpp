@@ -123,6 +123,19 @@ TEST(LeaderTest, DeniesWhatIsOfAnotherFamily) {
   EXPECT_TRUE(members.empty());
 }
 
+// Loading and unloading by a curve each, behind one curve that leaves a little: a second ball.
+TEST(LeaderTest, ManyNumbersBehindFewerExplainNothing) {
+  const auto left = [](const std::string& adequate, double behind, double p) {
+    Members members{1};
+    drop_many_numbers_behind_fewer(leader_and_adequate(adequate, behind, p), 6.0, 1e-3, members);
+    return members;
+  };
+  EXPECT_TRUE(left("loading-and-unloading-curves", 12.0, 0.17).empty());
+  EXPECT_EQ(left("loading-and-unloading-curves", 5.0, 0.17), (Members{1}));
+  EXPECT_EQ(left("loading-and-unloading-curves", 12.0, 1e-4), (Members{1}));
+  EXPECT_EQ(left("unloading-curve", 12.0, 0.17), (Members{1}));
+}
+
 TEST(LeaderTest, LeavesItsOwnFamily) {
   Members members{1};
   deny_other_families_than_leader(leader_and_adequate("unloading-curve", 124.0, 0.17), 0, 6.0, 1e-3,
