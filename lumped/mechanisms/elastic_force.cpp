@@ -145,9 +145,7 @@ double ElasticForce::stiffness(const ContactPhase& phase, double x) const {
 double ElasticForce::unloading_integral(double remaining, double largest) const {
   const double share = 1.0 - memory_.permanent_set;  // dx = (1 − p) dη
   if (!memory_.weakens()) return share * elastic_energy(remaining);
-  const auto force = [&](double at) {
-    return unloading_force(at, largest);
-  };
+  const auto force = [&](double at) { return unloading_force(at, largest); };
   return share * (memory_.curve.end == 0.0
                       ? integral_to(std::abs(remaining), corners_of(factors_, radius_), force)
                       : unloading_integral_to(std::abs(remaining), largest, force));

@@ -8,8 +8,8 @@
 
 /// Elastic force below the largest deflection so far, x_max.
 ///
-///   F = F_e(η) [1 − h (1 − η/x_max)] + F_e(x_max) (x_max/x_q)^q g(u),   η = ⟨(x − p x_max)/(1 − p)⟩
-///   u = 1 − √(1 − η/x_max)
+///   F = F_e(η) [1 − h (1 − η/x_max)] + F_e(x_max) (x_max/x_q)^q g(u)
+///   η = ⟨(x − p x_max)/(1 − p)⟩,   u = 1 − √(1 − η/x_max)
 ///
 ///   p   permanent set: residual over largest deflection [-]
 ///   h   hysteresis: share of the force lost at η → 0    [-]
@@ -28,8 +28,8 @@
 ///          has no jump where unloading begins.
 /// Limit:   of an elastic law with set, e² = 1 − p and the dent left is p x_max
 ///          -> test PermanentSetTest.LeavesItsShareOfTheLargestDeflection.
-///          A curve 1 − h (1 − u) leaves a Hertz contact e² = 1 − 5π h/32
-///          -> test FactorCurveTest.ALineOfTheUnloadingLosesWhatItsIntegralSays.
+///          A line g = −h (1 − u) leaves a Hertz contact e² = 1 − s^2.5 − (5/3) h (1 − s)^1.5,
+///          s^1.5 = h √(1 − s) -> test FactorCurveTest.ALineOfTheUnloadingLosesWhatItsIntegralSays.
 /// Caution: with both, hysteresis works on the deflection that is left, η.
 /// Source:  unloading from a permanently flattened contact, as in the loading
 ///          and unloading curves of Walton & Braun 1986, for any law.

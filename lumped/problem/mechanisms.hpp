@@ -88,7 +88,7 @@ struct RelaxationBranch {
 struct UnloadingMemory {
   double hysteresis = 0.0;         ///< s in F_e [1 − s (1 − x/x_max)] [-]
   double permanent_set = 0.0;      ///< residual over largest deflection [-]
-  FactorCurve curve{};             ///< over 1 − √(1 − η/x_max), a share of the force at x_max
+  FactorCurve curve{};             ///< over 1 − √(1 − η/x_max), a share of F_e(x_max)
   double curve_growth = 0.0;       ///< q: its values grow as (x_max/x_q)^q [-]
   double growth_deflection = 1.0;  ///< x_q, where its values are as given [m]
 

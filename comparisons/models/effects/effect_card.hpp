@@ -91,8 +91,8 @@ struct CurveCard {
   std::string reach{};              ///< parameter that places are shares of; empty: one
   std::string quantity = "factor";  ///< "factor" is one and the number, any other the number itself
   std::vector<Point> points{};
-  bool level_is_the_laws =
-      false;  ///< a number of the law takes the level: the shape is what is found
+  /// A number of the law takes the level: the shape is what is found.
+  bool level_is_the_laws = false;
   bool is_even = false;          ///< points are evenly spaced in what the curve is smooth over
   bool ends_at_nothing = false;  ///< one point more, at which it is held at zero
 };

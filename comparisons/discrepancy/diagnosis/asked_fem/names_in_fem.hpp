@@ -22,8 +22,8 @@ namespace rebound {
 void ask_fem_of_names(Diagnosis& d, const Observations& all, const SelectionRules& rules,
                       const RunControl& control);
 
-/// Is there a form in FE for an effect with these numbers? A free curve of unloading that grows with
-/// the largest deflection has none there, and one that does not has.
+/// Is there a form in FE for an effect with these numbers? A free curve of unloading that grows
+/// with the largest deflection has none there, and one that does not has.
 bool fem_can_state(const EffectChoice& effect);
 
 }  // namespace rebound

@@ -21,15 +21,15 @@ struct HypothesisFit {
   double chi_square = 0.0;            ///< Σ r² over data and priors
   double data_chi_square = 0.0;       ///< Σ r² over the data alone
   int freedom = 0;                    ///< data − unknowns without a prior
-  /// k: fitted numbers of effects (`curve_numbers`). One that a prior holds counts by the share that
-  /// the data tell: a curve through eleven points is no eleven numbers where it is smooth.
+  /// k: fitted numbers of effects (`curve_numbers`). One that a prior holds counts by the share
+  /// that the data tell: a curve through eleven points is no eleven numbers where it is smooth.
   double effect_unknowns = 0.0;
   /// χ² + k ln N, N the independent data; curves as smooth as is best for it, what that loses in χ²
   /// counted.
   double information_criterion = 0.0;
-  /// χ² + 2 k in the same way, and ln N in place of 2 for each frequency of an effect that swings: it was picked
-  /// from as many as the records can tell apart, and of many some fits noise (look-elsewhere
-  /// effect).
+  /// χ² + 2 k in the same way, and ln N in place of 2 for each frequency of an effect that swings:
+  /// it was picked from as many as the records can tell apart, and of many some fits noise
+  /// (look-elsewhere effect).
   double prediction_criterion = 0.0;
 
   std::size_t data_rows() const { return model->rows().size(); }
