@@ -21,6 +21,21 @@ TEST(EffectFormsTest, HysteresisLosesTwoSeventhsOfItsSize) {
   }
 }
 
+// In FE the force added is a factor on the stress of a point: where 1 − (1 − k/5)² of the largest
+// strain is left, g over that to the 3/2, and never so much that the stress turns around.
+TEST(EffectFormsTest, UnloadingWithoutAFormulaIsAFactorInFe) {
+  const EffectChoice curve{
+      "unloading-curve", 0.05, {{"at_0", -0.2}, {"at_1", -0.1}, {"at_3", 0.02}, {"at_4", 0.0}}};
+  FemProblem problem;
+  find_effect(curve.name).to_fem(curve, problem);
+  const auto& factor = problem.material.strain.unloading.value;
+  EXPECT_EQ(factor[0], -1.0);
+  EXPECT_NEAR(factor[1], -0.1 / std::pow(0.36, 1.5), 1e-12);
+  EXPECT_NEAR(factor[2], -0.05 / std::pow(0.64, 1.5), 1e-12);
+  EXPECT_NEAR(factor[3], 0.02 / std::pow(0.84, 1.5), 1e-12);
+  EXPECT_EQ(factor[4], 0.0);
+}
+
 // A branch that does not fade in the contact is stiffness, one that fades at once is nothing.
 TEST(EffectFormsTest, ABranchFadesInItsRelaxationTime) {
   const double plain = simulate_fast(test::elastic_with({})).scalars.peak_force;
