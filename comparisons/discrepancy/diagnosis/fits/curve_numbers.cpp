@@ -72,6 +72,10 @@ double counted_apart(const HypothesisFit& fit, const std::vector<std::size_t>& u
 
 }  // namespace
 
+double numbers_as_they_stand(const HypothesisFit& fit, std::size_t k) {
+  return counted_apart(fit, fit.model->unknowns_of_effect(k));
+}
+
 CostOfNumbers cost_of_numbers(const HypothesisFit& fit, std::size_t k, double each) {
   const EffectCard& card = find_effect(fit.effects[k].name).card;
   const std::vector<std::size_t> unknowns = used_numbers(fit, k);

@@ -12,4 +12,7 @@ namespace rebound {
 /// stand: k = Σ (1 − s²/σ²), s the error and σ that of the prior, one where there is none.
 CostOfNumbers cost_of_numbers(const HypothesisFit& fit, std::size_t k, double each);
 
+/// The same of all its numbers, whatever its curves are like and what the data hold at none.
+double numbers_as_they_stand(const HypothesisFit& fit, std::size_t k);
+
 }  // namespace rebound

@@ -32,13 +32,18 @@ double independent_data(const Observations& seen, const JointModel& model) {
   return std::max(2.0, count);
 }
 
-/// What effect k costs: numbers that are fitted, and each choice that a search has made for it. To
-/// choose a switch, or one of the shots, is a choice.
+/// With each choice that a search has made for effect k. To choose a switch, or one of the shots,
+/// is a choice.
+double with_choices(const HypothesisFit& fit, std::size_t k, double numbers) {
+  for (const EffectParameterCard& one : find_effect(fit.effects[k].name).card.parameters)
+    if (one.kind == ParameterKind::shot) numbers += 1.0;
+  return std::max(1.0, numbers);
+}
+
+/// What effect k costs: numbers that are fitted, and choices.
 CostOfNumbers cost_of(const HypothesisFit& fit, std::size_t k, double each) {
   CostOfNumbers cost = cost_of_numbers(fit, k, each);
-  for (const EffectParameterCard& one : find_effect(fit.effects[k].name).card.parameters)
-    if (one.kind == ParameterKind::shot) cost.numbers += 1.0;
-  cost.numbers = std::max(1.0, cost.numbers);
+  cost.numbers = with_choices(fit, k, cost.numbers);
   return cost;
 }
 
@@ -59,11 +64,12 @@ int picked_numbers(const EffectChoice& effect, bool of_fem) {
 void count_numbers(const Observations& seen, HypothesisFit& fit) {
   constexpr double each_of_prediction = 2.0;
   const double each = std::log(independent_data(seen, *fit.model));
-  fit.effect_unknowns = 0.0;
+  fit.effect_unknowns = fit.penalty_of_refits = 0.0;
   fit.information_criterion = fit.prediction_criterion = fit.chi_square;
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
     const CostOfNumbers cost = cost_of(fit, k, each);
     fit.effect_unknowns += cost.numbers;
+    fit.penalty_of_refits += each * with_choices(fit, k, numbers_as_they_stand(fit, k));
     fit.information_criterion += cost.with(each);
     const int picked = picked_numbers(fit.effects[k], fit.model->fem() != nullptr);
     fit.prediction_criterion += cost_of(fit, k, each_of_prediction).with(each_of_prediction) +

@@ -32,6 +32,9 @@ struct HypothesisFit {
   /// (look-elsewhere effect).
   double prediction_criterion = 0.0;
 
+  /// k ln N of all numbers as they stand: a refit to other data bends curves by all of them.
+  double penalty_of_refits = 0.0;
+
   std::size_t data_rows() const { return model->rows().size(); }
   double reduced_chi_square() const { return data_chi_square / freedom; }
 };

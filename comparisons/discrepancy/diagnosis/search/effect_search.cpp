@@ -88,7 +88,9 @@ bool EffectSearch::found(const Fits& fits) {
     const double against = fit ? chi_square_against_faults(seen_, *fit) : 0.0;
     if (!fit || !std::isfinite(against)) continue;
     selection_.tried.push_back(judge_by_chi_square(seen_, *fit, rules_));
-    selection_.tried.back().fit.information_criterion += against;
+    HypothesisFit& kept = selection_.tried.back().fit;
+    kept.information_criterion += against;
+    kept.penalty_of_refits += against;
   }
   std::stable_sort(selection_.tried.begin(), selection_.tried.end(),
                    [](const AssessedFit& a, const AssessedFit& b) {

@@ -15,7 +15,7 @@ BootstrapCandidate candidate_of(const HypothesisFit& fit) {
   BootstrapCandidate candidate{
       .residuals = Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(), rows),
       .basis = Eigen::MatrixXd(rows, 0),
-      .penalty = fit.information_criterion - fit.chi_square};
+      .penalty = fit.penalty_of_refits};
   if (fit.values.empty()) return candidate;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_at(*fit.model, fit.values));
   candidate.basis = qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());

@@ -27,7 +27,8 @@ struct SelectionBootstrap {
 ///
 ///   data*      best candidate + ε,   ε ~ N(0, I) after whitening
 ///   χ²_k*      | P_k (r_k − r_best − ε) |²
-///   chosen     the candidate with the least χ²_k* + k ln N
+///   chosen     the candidate with the least χ²_k* + k ln N, all k numbers of curves counted, for
+///              all of them take up noise
 ///
 ///   r_k    residuals of candidate k at its optimum, priors included [rows]
 ///   P_k    takes out what the unknowns of candidate k take up, ∂r/∂θ [rows][rows]

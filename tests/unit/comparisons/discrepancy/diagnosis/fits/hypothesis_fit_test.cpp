@@ -77,6 +77,8 @@ TEST(HypothesisFitTest, AShareThatDataHoldAtNoneIsNoNumber) {
       (found.parameters.at("fast_ratio") == 0.0) + (found.parameters.at("slow_ratio") == 0.0);
   EXPECT_GE(held, 1);
   EXPECT_LE(one.effect_unknowns, 5.0 - held);
+  // A refit to other data may use it.
+  EXPECT_GT(one.penalty_of_refits, one.information_criterion - one.chi_square + 5.0 * held);
 }
 
 TEST(HypothesisFitTest, AFormulaOfOneSizeCostsTwo) {
