@@ -108,10 +108,23 @@ std::ptrdiff_t curves_beyond(const HypothesisFit& fit, std::size_t known) {
       [](const EffectChoice& one) { return find_effect(one.name).card.is_free_form; });
 }
 
-/// What an effect that jumps at first touch brings, fitted in full from where the first order has
-/// it, at each of the numbers it was tried at.
+/// What an effect of about this size brings, the fit's own unknowns moved to first order.
+double gain_near(const EffectSensitivities& around, EffectChoice effect, const Range& range) {
+  double most = 0.0;
+  const double size = effect.size;
+  for (const double factor : {1.0, 2.0, 4.0}) {
+    effect.size = std::clamp(factor * size, range.lowest, range.highest);
+    most = std::max(most, -around.rise(effect).value_or(0.0));
+  }
+  return most;
+}
+
+/// What an effect that jumps at first touch brings, from where the first order has it and at each
+/// of the numbers it was tried at. Fitted in full where it could pass `limit`: a fit brings up to
+/// some three times what the best size does beside unknowns that follow to first order.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
-                     const EffectSensitivities& around) {
+                     const EffectSensitivities& around, double limit) {
+  constexpr double worth_a_fit = 0.2;  // of the limit
   std::vector<EffectChoice> starts;
   for (const EffectSensitivity& tried : around.all()) {
     const EffectCard& card = find_effect(tried.effect.name).card;
@@ -121,13 +134,18 @@ double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
     starts.back().size =
         std::clamp(std::max(score.size, score.size_error), card.range.lowest, card.range.highest);
   }
+  around.run_impacts();
   std::vector<double> gains(starts.size(), 0.0);
   in_parallel(starts.size(), [&](std::size_t i) {
+    const EffectCard& card = find_effect(starts[i].name).card;
+    gains[i] = gain_near(around, starts[i], card.range);
+    if (gains[i] < worth_a_fit * limit) return;
     try {
       gains[i] =
           fit.chi_square - fit_extended(seen, fit, {starts[i]}, SearchEffort::whole).chi_square;
     } catch (const Error& error) {
       if (error.code() != ExitCode::solver_failed) throw;
+      gains[i] = 0.0;
     }
   });
   return std::accumulate(gains.begin(), gains.end(), 0.0,
@@ -203,7 +221,8 @@ void look_at_believed(const Observations& seen, const EffectSensitivities& aroun
   believed.adequate = leaves_none();
   if (!believed.adequate || believed.fit.hypothesis.fem) return;
   believed.best_remaining =
-      std::max(believed.best_remaining, gain_of_jumps(seen, believed.fit, around));
+      std::max(believed.best_remaining,
+               gain_of_jumps(seen, believed.fit, around, believed.remaining_threshold));
   believed.adequate = leaves_none();
 }
 
@@ -211,8 +230,9 @@ AssessedFit judge_believed(const Observations& seen, HypothesisFit fit,
                            const std::vector<std::string>& effects, const SelectionRules& rules,
                            std::uint64_t seed) {
   AssessedFit believed = judge_by_chi_square(seen, std::move(fit), rules);
-  const EffectSensitivities around(seen, believed.fit, absent_from(believed.fit.effects, effects));
-  look_at_believed(seen, around, rules, seed, believed);
+  believed.around = std::make_shared<const EffectSensitivities>(
+      seen, believed.fit, absent_from(believed.fit.effects, effects));
+  look_at_believed(seen, *believed.around, rules, seed, believed);
   return believed;
 }
 

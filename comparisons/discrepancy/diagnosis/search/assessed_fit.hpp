@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,8 @@ struct AssessedFit {
   double remaining_threshold = 0.0;
   ScoreTest further_force;  ///< what a force without a formula would bring
   ScoreTest varying;        ///< what other numbers of the law from shot to shot would bring
+  /// Of a believed model, where its search begins: what is known around it.
+  std::shared_ptr<const EffectSensitivities> around;
   /// Of the speed that no fit saw; absent where it was not asked.
   std::optional<double> unseen_chi_square;
   bool unseen_denies = false;  ///< a rival predicts that speed plainly better

@@ -57,19 +57,19 @@ Eigen::MatrixXd free_columns(const HypothesisFit& fit) {
 
 }  // namespace
 
-EffectSensitivities::EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
+EffectSensitivities::EffectSensitivities(const Observations& seen, HypothesisFit fit,
                                          std::vector<std::string> effects, GridDetail detail)
-    : seen_(seen), fit_(fit), effects_(std::move(effects)), of_starts_(detail) {
-  const auto rows = static_cast<Eigen::Index>(fit.residuals.size());
-  if (!fit.values.empty()) {
-    jacobian_ = free_columns(fit);
+    : seen_(seen), fit_(std::move(fit)), effects_(std::move(effects)), of_starts_(detail) {
+  const auto rows = static_cast<Eigen::Index>(fit_.residuals.size());
+  if (!fit_.values.empty()) {
+    jacobian_ = free_columns(fit_);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian_);
     basis_ = qr.householderQ() * Eigen::MatrixXd::Identity(rows, qr.rank());
   } else {
     basis_.resize(rows, 0);
   }
-  chi_square_left_ = left_of(Eigen::Map<const Eigen::VectorXd>(fit.residuals.data(), rows));
-  if (fit.model->fem()) detail = GridDetail::coarse;  // every frequency is an impact of each shot
+  chi_square_left_ = left_of(Eigen::Map<const Eigen::VectorXd>(fit_.residuals.data(), rows));
+  if (fit_.model->fem()) detail = GridDetail::coarse;  // every frequency is an impact of each shot
   const std::vector<EffectChoice> choices =
       of_all(effects_, [&](const EffectCard& card) { return small_effects(card, seen_, detail); });
   const auto moved = moved_residuals(choices);

@@ -47,9 +47,9 @@ struct EffectProbe {
 class EffectSensitivities {
  public:
   /// `effects` are those to be looked at; those without a form for this model,
-  /// or that the data cannot see at all, are left out. `seen` and
-  /// `fit` must outlive this.
-  EffectSensitivities(const Observations& seen, const HypothesisFit& fit,
+  /// or that the data cannot see at all, are left out. `seen` must
+  /// outlive this.
+  EffectSensitivities(const Observations& seen, HypothesisFit fit,
                       std::vector<std::string> effects, GridDetail detail = GridDetail::fine);
 
   /// Tries finite sizes of every effect, for starts() and best_probe(). Apart,
@@ -117,7 +117,7 @@ class EffectSensitivities {
       const std::vector<EffectChoice>& choices) const;
 
   const Observations& seen_;
-  const HypothesisFit& fit_;
+  HypothesisFit fit_;
   std::vector<std::string> effects_;
   GridDetail of_starts_;
   Eigen::MatrixXd jacobian_;

@@ -17,10 +17,12 @@ constexpr double largest_size = 8.0;      // of the prior scale
 constexpr double growth = 2.0;            // from size to size of the search
 constexpr int halvings = 3;               // of the last interval: sizes good to a tenth
 
-/// The size from null at which one effect shows, in the direction of `sign`; nothing where it
-/// stays hidden. Infinite in a direction that the effect does not have.
+/// The size from null at which one effect shows, in the direction of `sign`, or `least` where it
+/// shows there already; nothing where it stays hidden. Infinite in a direction that the effect does
+/// not have.
 std::optional<double> visible_size(const EffectSensitivities& around, const EffectCard& card,
-                                   EffectChoice choice, double sign, double seen_rise) {
+                                   EffectChoice choice, double sign, double seen_rise,
+                                   double least) {
   const auto shows = [&](double size) {
     choice.size = card.null + sign * size;
     const auto rise = around.rise(choice);
@@ -29,7 +31,9 @@ std::optional<double> visible_size(const EffectSensitivities& around, const Effe
   const double bound = sign > 0.0 ? card.range.highest - card.null : card.null - card.range.lowest;
   if (!(bound > 0.0)) return std::numeric_limits<double>::infinity();
   const double most = std::min(bound, largest_size * card.prior_scale);
-  double size = std::min(most, first_size * card.prior_scale), hidden = 0.0;
+  double hidden = std::min(most, least);
+  if (hidden > 0.0 && shows(hidden)) return hidden;
+  double size = std::min(most, std::max(growth * hidden, first_size * card.prior_scale));
   while (!shows(size)) {
     if (size >= most) return std::nullopt;
     hidden = size;
@@ -49,7 +53,7 @@ std::optional<ExcludedSize> size_that_raises(const EffectSensitivities& around,
   ExcludedSize excluded{.name = card.name, .size = 0.0, .over = {}};
   for (const EffectChoice& choice : around.over_its_parameters(card))
     for (const double sign : {1.0, -1.0}) {
-      const auto size = visible_size(around, card, choice, sign, rise);
+      const auto size = visible_size(around, card, choice, sign, rise, excluded.size);
       if (!size) return std::nullopt;
       if (std::isfinite(*size)) excluded.size = std::max(excluded.size, *size);
       for (const auto& [name, value] : choice.parameters) {

@@ -10,6 +10,7 @@
 
 #include "comparisons/inference/calibration/autocorrelation.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
+#include "comparisons/models/parallel/in_parallel.hpp"
 
 namespace rebound {
 
@@ -35,22 +36,22 @@ Eigen::MatrixXd coordinates_in_own_span(const Eigen::MatrixXd& units) {
 }
 
 double quantile_of_largest(const Eigen::MatrixXd& units, double level, std::uint64_t seed) {
-  constexpr int draws = 4000, together = 250;
+  constexpr Eigen::Index draws = 4000, together = 250;
   if (units.cols() == 0) return 0.0;
   const Eigen::MatrixXd root = coordinates_in_own_span(units);
   boost::random::mt19937_64 generator(seed);
   boost::random::normal_distribution<double> normal;
-  std::vector<double> largest;
-  Eigen::MatrixXd noise(root.cols(), together), statistics(root.rows(), together);
-  while (std::ssize(largest) < draws) {
-    for (double& value : noise.reshaped()) value = normal(generator);
-    statistics.noalias() = root * noise;
-    for (Eigen::Index k = 0; k < together; ++k)
-      largest.push_back(statistics.col(k).cwiseAbs().maxCoeff());
-  }
-  const auto place = static_cast<std::ptrdiff_t>((1.0 - level) * draws);
+  Eigen::MatrixXd noise(root.cols(), draws);
+  for (double& value : noise.reshaped()) value = normal(generator);
+  Eigen::VectorXd largest(draws);
+  in_parallel(draws / together, [&](std::size_t block) {
+    const Eigen::Index first = static_cast<Eigen::Index>(block) * together;
+    largest.segment(first, together) =
+        (root * noise.middleCols(first, together)).cwiseAbs().colwise().maxCoeff();
+  });
+  const auto place = static_cast<std::ptrdiff_t>((1.0 - level) * static_cast<double>(draws));
   std::nth_element(largest.begin(), largest.begin() + place, largest.end());
-  return largest[static_cast<std::size_t>(place)];
+  return largest[place];
 }
 
 double noise_freedom_at(const Observations& seen, double angular_frequency) {

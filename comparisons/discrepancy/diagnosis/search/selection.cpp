@@ -84,7 +84,10 @@ EffectSelection select_effects(const Observations& seen, AssessedFit baseline,
                                const UnseenSpeed& unseen) {
   EffectSelection selection;
   selection.baseline = std::move(baseline);
-  EffectSensitivities around(seen, selection.baseline.fit, effects);
+  const auto looked_at = std::move(selection.baseline.around);
+  EffectSensitivities around = looked_at && looked_at->effects() == effects
+                                   ? *looked_at
+                                   : EffectSensitivities(seen, selection.baseline.fit, effects);
   selection.scores = around.scores();
   selection.cosines = around.cosines();
   std::optional<AssessedFit> in_all;
