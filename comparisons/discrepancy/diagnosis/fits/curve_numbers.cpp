@@ -2,34 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace rebound {
 namespace {
 
-/// Place of a number among the unknowns of the effect; nothing where it is not one of them.
-std::optional<Eigen::Index> place_of(const HypothesisFit& fit,
-                                     const std::vector<std::size_t>& unknowns,
-                                     const std::string& name) {
-  for (std::size_t i = 0; i < unknowns.size(); ++i)
-    if (fit.model->unknowns()[unknowns[i]].name == name) return static_cast<Eigen::Index>(i);
-  return std::nullopt;
-}
-
-/// Second differences of the points of a curve over the unknowns; no rows where a point is none.
-Eigen::MatrixXd second_differences(const HypothesisFit& fit, const EffectCard& card,
-                                   const CurveCard& curve,
+/// Second differences of the points of a curve of effect k over its `unknowns`; no rows where a
+/// point is none of them.
+Eigen::MatrixXd second_differences(const HypothesisFit& fit, std::size_t k, const CurveCard& curve,
                                    const std::vector<std::size_t>& unknowns) {
   const auto count = static_cast<Eigen::Index>(unknowns.size());
   std::vector<Eigen::RowVectorXd> points;
   for (const CurveCard::Point& point : curve.points) {
-    const auto place =
-        place_of(fit, unknowns, card.name + (point.number.empty() ? "" : " " + point.number));
-    if (!place) return Eigen::MatrixXd(0, count);
+    const auto unknown = unknown_of(fit, k, point.number);
+    const auto place = std::find(unknowns.begin(), unknowns.end(), unknown);
+    if (place == unknowns.end()) return Eigen::MatrixXd(0, count);
     points.emplace_back(Eigen::RowVectorXd::Zero(count));
-    points.back()(*place) = point.sign;
+    points.back()(place - unknowns.begin()) = point.sign;
   }
   if (curve.ends_at_nothing) points.emplace_back(Eigen::RowVectorXd::Zero(count));
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()) - 2, count);
@@ -40,8 +28,7 @@ Eigen::MatrixXd second_differences(const HypothesisFit& fit, const EffectCard& c
   return rows;
 }
 
-/// Unknowns of effect k that it uses: a share that the data hold at none, as of a spectrum that has
-/// no such time, is no number. The size stays.
+/// Unknowns of effect k without the shares that the data hold at none. The size stays.
 std::vector<std::size_t> used_numbers(const HypothesisFit& fit, std::size_t k) {
   const EffectCard& card = find_effect(fit.effects[k].name).card;
   std::vector<std::size_t> unknowns = fit.model->unknowns_of_effect(k);
@@ -70,24 +57,18 @@ double counted_apart(const HypothesisFit& fit, const std::vector<std::size_t>& u
   return numbers;
 }
 
-}  // namespace
-
-double numbers_as_they_stand(const HypothesisFit& fit, std::size_t k) {
-  return counted_apart(fit, fit.model->unknowns_of_effect(k));
-}
-
-CostOfNumbers cost_of_numbers(const HypothesisFit& fit, std::size_t k, double each) {
-  const EffectCard& card = find_effect(fit.effects[k].name).card;
-  const std::vector<std::size_t> unknowns = used_numbers(fit, k);
+/// As they stand in the fit, with the roughness of the curves; nothing where the effect has none,
+/// or the data leave a number undetermined.
+std::optional<FittedNumbers> numbers_of_curves(const HypothesisFit& fit, std::size_t k,
+                                               const std::vector<std::size_t>& unknowns) {
   FittedNumbers numbers;
-  for (const CurveCard& curve : card.curves) {
+  for (const CurveCard& curve : find_effect(fit.effects[k].name).card.curves) {
     if (!curve.is_even) continue;
-    Eigen::MatrixXd rows = second_differences(fit, card, curve, unknowns);
+    Eigen::MatrixXd rows = second_differences(fit, k, curve, unknowns);
     if (rows.rows() > 0) numbers.roughness.push_back(rows.transpose() * rows);
   }
   const auto& correlation = fit.search.correlation;
-  if (numbers.roughness.empty() || correlation.empty())
-    return {.numbers = counted_apart(fit, unknowns)};
+  if (numbers.roughness.empty() || correlation.empty()) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(unknowns.size());
   numbers.value.resize(count);
   numbers.covariance.resize(count, count);
@@ -103,7 +84,27 @@ CostOfNumbers cost_of_numbers(const HypothesisFit& fit, std::size_t k, double ea
                                  fit.search.estimates[b].standard_error;
     }
   }
-  return smoothest(numbers, each);
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<std::size_t> unknown_of(const HypothesisFit& fit, std::size_t k,
+                                      const std::string& number) {
+  const std::string name = fit.effects[k].name + (number.empty() ? "" : " " + number);
+  for (const std::size_t unknown : fit.model->unknowns_of_effect(k))
+    if (fit.model->unknowns()[unknown].name == name) return unknown;
+  return std::nullopt;
+}
+
+NumbersOfEffect numbers_of_effect(const HypothesisFit& fit, std::size_t k) {
+  const std::vector<std::size_t> unknowns = used_numbers(fit, k);
+  return {.as_they_stand = counted_apart(fit, unknowns),
+          .of_curves = numbers_of_curves(fit, k, unknowns)};
+}
+
+double all_numbers_of_effect(const HypothesisFit& fit, std::size_t k) {
+  return counted_apart(fit, fit.model->unknowns_of_effect(k));
 }
 
 }  // namespace rebound

@@ -40,9 +40,10 @@ double with_choices(const HypothesisFit& fit, std::size_t k, double numbers) {
   return std::max(1.0, numbers);
 }
 
-/// What effect k costs: numbers that are fitted, and choices.
-CostOfNumbers cost_of(const HypothesisFit& fit, std::size_t k, double each) {
-  CostOfNumbers cost = cost_of_numbers(fit, k, each);
+/// What effect k costs a criterion: numbers that are fitted, and choices.
+CostOfNumbers cost_of(const HypothesisFit& fit, std::size_t k, const NumbersOfEffect& numbers,
+                      double each) {
+  CostOfNumbers cost = numbers.cost(each);
   cost.numbers = with_choices(fit, k, cost.numbers);
   return cost;
 }
@@ -67,13 +68,15 @@ void count_numbers(const Observations& seen, HypothesisFit& fit) {
   fit.effect_unknowns = fit.penalty_of_refits = 0.0;
   fit.information_criterion = fit.prediction_criterion = fit.chi_square;
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
-    const CostOfNumbers cost = cost_of(fit, k, each);
+    const NumbersOfEffect numbers = numbers_of_effect(fit, k);
+    const CostOfNumbers cost = cost_of(fit, k, numbers, each);
     fit.effect_unknowns += cost.numbers;
-    fit.penalty_of_refits += each * with_choices(fit, k, numbers_as_they_stand(fit, k));
+    fit.penalty_of_refits += each * with_choices(fit, k, all_numbers_of_effect(fit, k));
     fit.information_criterion += cost.with(each);
     const int picked = picked_numbers(fit.effects[k], fit.model->fem() != nullptr);
-    fit.prediction_criterion += cost_of(fit, k, each_of_prediction).with(each_of_prediction) +
-                                picked * std::max(0.0, each - each_of_prediction);
+    fit.prediction_criterion +=
+        cost_of(fit, k, numbers, each_of_prediction).with(each_of_prediction) +
+        picked * std::max(0.0, each - each_of_prediction);
   }
 }
 

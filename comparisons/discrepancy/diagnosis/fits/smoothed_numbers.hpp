@@ -27,10 +27,12 @@ struct FittedNumbers {
 ///   S = C⁻¹ + Σ DᵢᵀDᵢ/σᵢ²     k = tr S⁻¹ (C⁻¹ − P)     lost = (S⁻¹C⁻¹g − g)ᵀ C⁻¹ (S⁻¹C⁻¹g − g)
 ///
 /// σᵢ is that of least lost + c k, from 1e-5 to 1 in steps of √10, or infinite; each in turn,
-/// twice. Valid:   to first order about the fit. Limit:   σ infinite: k = Σ (1 − s²/σ_prior²) ->
-/// test SmoothedNumbersTest.APriorTakesItsShare; points
-///          on a line cost what a line does -> test SmoothedNumbersTest.ALineIsTwoNumbers; rough
-///          ones cost what they are -> test SmoothedNumbersTest.WhatIsRoughStaysSo.
+/// twice.
+///
+/// Valid:   to first order about the fit.
+/// Limit:   σ infinite: k = Σ (1 − s²/σ_prior²) -> test SmoothedNumbersTest.APriorTakesItsShare;
+///          points on a line cost what a line does -> test SmoothedNumbersTest.ALineIsTwoNumbers;
+///          rough ones cost what they are -> test SmoothedNumbersTest.WhatIsRoughStaysSo.
 /// Source:  penalised splines and their effective number, Hastie & Tibshirani 1990, ch. 3.
 CostOfNumbers smoothest(const FittedNumbers& numbers, double each);
 

@@ -95,7 +95,7 @@ report::Figure curve_figure(const FactorBand& band) {
   const bool factor = band.quantity == "factor";
   const std::string quantity = with_blanks(band.quantity);
   report::Figure figure{
-      .title = "The missing " + quantity + " over " + axis_of(band).quantity,
+      .title = "The missing " + quantity + " over the " + axis_of(band).quantity,
       .caption = factor ? "What the force of the believed model has to be multiplied by: 1 is "
                           "nothing missing. Where the law has a number of its own for the level, "
                           "the curve stands over its mean. The points are fitted, with their 95 % "

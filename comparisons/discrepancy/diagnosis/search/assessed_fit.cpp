@@ -100,8 +100,7 @@ bool leaves_nothing(const SelectionRules& rules, double least_chance, const Asse
          !fit.leaves_varying_numbers(rules.smallest_adequate_p);
 }
 
-/// Free forms among the effects beyond the first `known`. Two of them bend to nearly anything: they
-/// are allowed nothing of what is left.
+/// Free forms among the effects beyond the first `known`.
 std::ptrdiff_t curves_beyond(const HypothesisFit& fit, std::size_t known) {
   return std::count_if(
       fit.effects.begin() + static_cast<std::ptrdiff_t>(known), fit.effects.end(),
@@ -161,9 +160,7 @@ bool has_many_numbers(const HypothesisFit& fit) {
 }
 
 bool has_curve(const HypothesisFit& fit) {
-  return std::any_of(fit.effects.begin(), fit.effects.end(), [](const EffectChoice& one) {
-    return find_effect(one.name).card.is_free_form;
-  });
+  return curves_beyond(fit, 0) > 0;
 }
 
 std::vector<std::string> absent_from(const std::vector<EffectChoice>& present,
@@ -247,7 +244,9 @@ void judge_candidate(const Observations& seen, const std::vector<std::string>& e
     candidate.adequate = false;
     return;
   }
-  if (candidate.adequate || curves_beyond(candidate.fit, baseline.fit.effects.size()) > 1) return;
+  if (candidate.adequate) return;
+  // Two curves bend to nearly anything: they are allowed nothing of what is left.
+  if (curves_beyond(candidate.fit, baseline.fit.effects.size()) > 1) return;
   if (has_curve(candidate.fit))
     judge_curve(rules, baseline, candidate);
   else

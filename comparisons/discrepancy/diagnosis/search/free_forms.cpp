@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "comparisons/discrepancy/diagnosis/fits/curve_numbers.hpp"
 #include "comparisons/discrepancy/diagnosis/search/assessed_fit.hpp"
 #include "comparisons/discrepancy/diagnosis/search/effect_grid.hpp"
 
@@ -33,15 +34,6 @@ double mean_contact_time(const Observations& seen, const HypothesisFit& fit) {
   for (std::size_t i = 0; i < seen.shots.size(); ++i)
     sum += fit.model->impact(fit.values, i).scalars.contact_time;
   return sum / static_cast<double>(seen.shots.size());
-}
-
-/// The unknown that is a number of effect k; nothing where it is not fitted.
-std::optional<std::size_t> unknown_of(const HypothesisFit& fit, std::size_t k,
-                                      const std::string& number) {
-  const std::string name = fit.effects[k].name + (number.empty() ? "" : " " + number);
-  for (const std::size_t unknown : fit.model->unknowns_of_effect(k))
-    if (fit.search.estimates[unknown].name == name) return unknown;
-  return std::nullopt;
 }
 
 /// Of all unknowns, priors counted.

@@ -13,7 +13,7 @@ namespace rebound {
 /// Over x/x_max; the last point, where unloading begins, is held at zero. The size is −g at 2/5.
 inline CurveCard unloading_card() {
   CurveCard card = curve_card("share_of_largest_deflection", "", "at", 2);
-  card.quantity = "added_force_over_largest";
+  card.quantity = "share_of_largest_force";
   card.level_is_the_laws = false;
   card.points.pop_back();
   card.ends_at_nothing = true;
