@@ -120,7 +120,7 @@ double gain_near(const EffectSensitivities& around, EffectChoice effect, const R
 
 /// What an effect that jumps at first touch brings, from where the first order has it and at each
 /// of the numbers it was tried at. Fitted in full where it could pass `limit`: a fit brings up to
-/// some three times what the best size does beside unknowns that follow to first order.
+/// some four times what the best size does beside unknowns that follow to first order.
 double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
                      const EffectSensitivities& around, double limit) {
   constexpr double worth_a_fit = 0.2;  // of the limit

@@ -26,16 +26,23 @@ void keep_best(std::vector<EffectScore>& scores, const EffectScore& score) {
     *known = score;
 }
 
+/// What follows an effect that is added: nothing, or the starts of records, which slopes do not
+/// tell where its force jumps at first touch.
+enum class Following { nothing, starts };
+
 /// Residuals of the fitted model with one more effect, nothing refitted; empty
 /// where the effect has no form for this model, or the impact no answer.
-std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const EffectChoice& added) {
+std::optional<Eigen::VectorXd> residuals_with(const HypothesisFit& fit, const EffectChoice& added,
+                                              Following following = Following::nothing) {
   Hypothesis with = fit.hypothesis;
   with.effects = fit.effects;
   with.effects.push_back(added);
   try {
     const JointModel model(*fit.model, fit.values, with);
     // Unknowns of the added effect stand as given, all others as fitted.
-    const std::vector<double> residuals = model.residuals(values_from(fit, model));
+    std::vector<double> values = values_from(fit, model);
+    if (following == Following::starts) values = model.with_settled_starts(std::move(values));
+    const std::vector<double> residuals = model.residuals(values);
     return Eigen::Map<const Eigen::VectorXd>(residuals.data(),
                                              static_cast<Eigen::Index>(residuals.size()));
   } catch (const Error& error) {
@@ -95,7 +102,8 @@ std::vector<EffectChoice> EffectSensitivities::over_its_parameters(const EffectC
 }
 
 std::optional<double> EffectSensitivities::rise(const EffectChoice& effect) const {
-  const auto moved = residuals_with(fit_, effect);
+  const bool jumps = find_effect(effect.name).card.jumps_at_touch;
+  const auto moved = residuals_with(fit_, effect, jumps ? Following::starts : Following::nothing);
   if (!moved) return std::nullopt;
   return left_of(*moved) - chi_square_left_;
 }

@@ -49,8 +49,8 @@ class EffectSensitivities {
   /// `effects` are those to be looked at; those without a form for this model,
   /// or that the data cannot see at all, are left out. `seen` must
   /// outlive this.
-  EffectSensitivities(const Observations& seen, HypothesisFit fit,
-                      std::vector<std::string> effects, GridDetail detail = GridDetail::fine);
+  EffectSensitivities(const Observations& seen, HypothesisFit fit, std::vector<std::string> effects,
+                      GridDetail detail = GridDetail::fine);
 
   /// Tries finite sizes of every effect, for starts() and best_probe(). Apart,
   /// since it takes an impact a shot and point of the grid.
@@ -62,7 +62,8 @@ class EffectSensitivities {
   /// An effect at every point of the grid of its further parameters, size left at null.
   std::vector<EffectChoice> over_its_parameters(const EffectCard& card) const;
   /// How far χ² rises with an effect of this size and these parameters, once the fit's own
-  /// unknowns have taken what they can; nothing where it has no form here or no answer.
+  /// unknowns have taken what they can, the starts of records first where the force jumps at touch;
+  /// nothing where it has no form here or no answer.
   std::optional<double> rise(const EffectChoice& effect) const;
   /// Impacts of the fit are kept in its model: run before threads ask for rise(), they are only
   /// read.

@@ -15,7 +15,7 @@ constexpr double excluding_rise = 2.706;  // of χ²: 95 % of one side
 constexpr double first_size = 0.05;       // of the prior scale
 constexpr double largest_size = 8.0;      // of the prior scale
 constexpr double growth = 2.0;            // from size to size of the search
-constexpr int halvings = 3;               // of the last interval: sizes good to a tenth
+constexpr double precision = 0.1;         // of a size
 
 /// The size from null at which one effect shows, in the direction of `sign`, or `least` where it
 /// shows there already; nothing where it stays hidden. Infinite in a direction that the effect does
@@ -39,7 +39,7 @@ std::optional<double> visible_size(const EffectSensitivities& around, const Effe
     hidden = size;
     size = std::min(most, growth * size);
   }
-  for (int i = 0; i < halvings; ++i) {
+  while (size - hidden > precision * size) {
     const double middle = 0.5 * (hidden + size);
     (shows(middle) ? size : hidden) = middle;
   }
