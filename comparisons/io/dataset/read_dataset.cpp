@@ -77,19 +77,40 @@ void check_tests(const Document& document, const Dataset& dataset) {
       throw document.error_at(fmt::format("block[{}]", i), "the block test has no modulus");
 }
 
+/// The folder in it that holds a data set, the first by name; empty where none does.
+std::string data_set_within(const std::filesystem::path& folder) {
+  std::error_code status;
+  std::string first;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
+    const std::string name = entry.path().filename().string();
+    if (std::filesystem::exists(entry.path() / "dataset.toml", status) &&
+        (first.empty() || name < first))
+      first = name;
+  }
+  return first;
+}
+
+Error no_data_set(const std::filesystem::path& folder) {
+  std::error_code status;
+  std::string message =
+      "there is no such folder: `rebound init dataset --from FILE` makes a data set";
+  if (std::filesystem::is_directory(folder, status)) {
+    const std::string within = data_set_within(folder);
+    message =
+        within.empty()
+            ? "this folder holds no dataset.toml: `rebound init dataset --from FILE` makes one"
+            : "this folder holds no dataset.toml; did you mean " + (folder / within).string() + "?";
+  } else if (std::filesystem::exists(folder, status)) {
+    message = "a data set is a folder: `rebound init dataset --from FILE` makes one of a file";
+  }
+  return {ExitCode::input_output_failed, message, {.file = folder.string()}};
+}
+
 }  // namespace
 
 Dataset read_dataset(const std::filesystem::path& folder) {
   std::error_code status;
-  if (!std::filesystem::exists(folder / "dataset.toml", status))
-    throw Error(
-        ExitCode::input_output_failed,
-        std::filesystem::is_directory(folder, status)
-            ? "this folder holds no dataset.toml: `rebound init dataset --from FILE` makes one"
-        : std::filesystem::exists(folder, status)
-            ? "a data set is a folder: `rebound init dataset --from FILE` makes one of a file"
-            : "there is no such folder: `rebound init dataset --from FILE` makes a data set",
-        {.file = folder.string()});
+  if (!std::filesystem::exists(folder / "dataset.toml", status)) throw no_data_set(folder);
   const Document document = Document::load(folder / "dataset.toml");
   Dataset dataset;
   read_document(document, dataset);

@@ -110,6 +110,20 @@ TEST(ReadDatasetTest, TracesMayNotLeaveTheFolder) {
   }
 }
 
+// What `synthesize` leaves is a folder with the data set beside the truth.
+TEST(ReadDatasetTest, NamesTheFolderWithinThatHoldsOne) {
+  const TemporaryFolder folder;
+  const auto refusal = [&] { return refusal_of([&] { read_dataset(folder.path()); }); };
+  EXPECT_NE(std::string(refusal().what()).find("rebound init dataset"), std::string::npos);
+  const std::filesystem::path within = folder.path() / "data";
+  std::filesystem::create_directory(within);
+  folder.write("data/dataset.toml", head);
+  EXPECT_EQ(refusal().code(), ExitCode::input_output_failed);
+  EXPECT_NE(std::string(refusal().what()).find("did you mean " + within.string() + "?"),
+            std::string::npos)
+      << refusal().what();
+}
+
 struct RefusedDataset {
   const char* name;
   const char* text;
