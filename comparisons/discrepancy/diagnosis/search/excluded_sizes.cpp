@@ -16,6 +16,7 @@ constexpr double first_size = 0.05;       // of the prior scale
 constexpr double largest_size = 8.0;      // of the prior scale
 constexpr double growth = 2.0;            // from size to size of the search
 constexpr double precision = 0.1;         // of a size
+constexpr double smallest_size = 1e-4;    // of the prior scale: nothing smaller is told apart
 
 /// The size from null at which one effect shows, in the direction of `sign`, or `least` where it
 /// shows there already; nothing where it stays hidden. Infinite in a direction that the effect does
@@ -39,7 +40,7 @@ std::optional<double> visible_size(const EffectSensitivities& around, const Effe
     hidden = size;
     size = std::min(most, growth * size);
   }
-  while (size - hidden > precision * size) {
+  while (size - hidden > std::max(precision * size, smallest_size * card.prior_scale)) {
     const double middle = 0.5 * (hidden + size);
     (shows(middle) ? size : hidden) = middle;
   }
