@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <numeric>
 
+#include "comparisons/discrepancy/diagnosis/search/jumps_at_touch.hpp"
 #include "comparisons/discrepancy/diagnosis/search/noise_statistics.hpp"
 #include "comparisons/inference/calibration/distributions.hpp"
-#include "comparisons/models/parallel/in_parallel.hpp"
-#include "lumped/problem/error.hpp"
 
 namespace rebound {
 
@@ -105,50 +102,6 @@ std::ptrdiff_t curves_beyond(const HypothesisFit& fit, std::size_t known) {
   return std::count_if(
       fit.effects.begin() + static_cast<std::ptrdiff_t>(known), fit.effects.end(),
       [](const EffectChoice& one) { return find_effect(one.name).card.is_free_form; });
-}
-
-/// What an effect of about this size brings, the fit's own unknowns moved to first order.
-double gain_near(const EffectSensitivities& around, EffectChoice effect, const Range& range) {
-  double most = 0.0;
-  const double size = effect.size;
-  for (const double factor : {1.0, 2.0, 4.0}) {
-    effect.size = std::clamp(factor * size, range.lowest, range.highest);
-    most = std::max(most, -around.rise(effect).value_or(0.0));
-  }
-  return most;
-}
-
-/// What an effect that jumps at first touch brings, from where the first order has it and at each
-/// of the numbers it was tried at. Fitted in full where it could pass `limit`: a fit brings up to
-/// some four times what the best size does beside unknowns that follow to first order.
-double gain_of_jumps(const Observations& seen, const HypothesisFit& fit,
-                     const EffectSensitivities& around, double limit) {
-  constexpr double worth_a_fit = 0.2;  // of the limit
-  std::vector<EffectChoice> starts;
-  for (const EffectSensitivity& tried : around.all()) {
-    const EffectCard& card = find_effect(tried.effect.name).card;
-    if (!card.jumps_at_touch) continue;
-    const EffectScore score = around.score_of(tried);
-    starts.push_back(tried.effect);
-    starts.back().size =
-        std::clamp(std::max(score.size, score.size_error), card.range.lowest, card.range.highest);
-  }
-  around.run_impacts();
-  std::vector<double> gains(starts.size(), 0.0);
-  in_parallel(starts.size(), [&](std::size_t i) {
-    const EffectCard& card = find_effect(starts[i].name).card;
-    gains[i] = gain_near(around, starts[i], card.range);
-    if (gains[i] < worth_a_fit * limit) return;
-    try {
-      gains[i] =
-          fit.chi_square - fit_extended(seen, fit, {starts[i]}, SearchEffort::whole).chi_square;
-    } catch (const Error& error) {
-      if (error.code() != ExitCode::solver_failed) throw;
-      gains[i] = 0.0;
-    }
-  });
-  return std::accumulate(gains.begin(), gains.end(), 0.0,
-                         [](double most, double gain) { return std::max(most, gain); });
 }
 
 }  // namespace
